@@ -111,8 +111,6 @@ def renamed(form: EffectForm, name: str, title: str) -> EffectForm:
     """Return a form with another name and titles.
 
     Args:
-        form: to be renamed.
-        name: of the form.
         title: with {} in the place of the titles that it had.
     """
     negative = form.negative and form.negative._replace(title=title.format(form.negative.title))

@@ -74,7 +74,6 @@ def held(law: Law, values: Mapping[str, float]) -> dict[str, float]:
     z comes to (A / (beta + gamma))^(1/n). That is 1, so that the strength of the law is none of its shape.
 
     Args:
-        law: the law.
         values: all of its parameters, SI.
     """
     return {**values, "gamma": values["A"] - values["beta"]} if is_bouc_wen(law) else dict(values)
@@ -87,7 +86,6 @@ def as_held(law: Law, values: Mapping[str, float]) -> dict[str, float]:
     nearest law within them.
 
     Args:
-        law: the law.
         values: all of its parameters, SI.
     """
     found, whole = dict(values), values.get("beta", 0.0) + values.get("gamma", 0.0)
