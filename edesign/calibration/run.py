@@ -97,11 +97,9 @@ def _outcome(
 
 
 def notes_of(campaign: Campaign) -> tuple[str, ...]:
-    """Return what should be known of a campaign before the search: how its tests were read, what of them is clipped or sampled coarsely."""
-    return _damper_notes(campaign) if isinstance(campaign, DamperCampaign) else ()
-
-
-def _damper_notes(campaign: DamperCampaign) -> tuple[str, ...]:
+    """Return what should be known of a campaign before the search: readings, clipped forces, coarse sampling."""
+    if not isinstance(campaign, DamperCampaign):
+        return ()
     return (*campaign.notes, *clipping_notes(campaign.tests), *sampling_notes(campaign.tests))
 
 

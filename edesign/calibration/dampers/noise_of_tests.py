@@ -55,8 +55,8 @@ def with_noise(
     """Return tests with their noise.
 
     The force channel's is estimated above the motion, in what a model leaves of the force too, or in rests. Where a
-    test has no such place, that of the others stands for it, and if none has one the least (`least_noise`). Noise of the
-    displacement makes force through the model: such noise is added and taken off again. That is most where the damper
+    test has no such place, that of the others stands for it, and if none has one the least (`least_noise`). Noise of
+    the displacement makes force through the model: such noise is added and taken off again. That is most where the damper
     is slow and its force steep over the velocity. The same noise is added whatever the model. It is added to motions
     that are at rest where no more than noise is left of them: what smoothing leaves of the noise there hides that of a
     second time from a law of a low power of the velocity. What is not known of the motion between its samples makes the
@@ -106,10 +106,15 @@ def with_channel_noise(tests: Sequence[Experiment], predicted: Sequence[np.ndarr
     measured = [_channel_noise(*each) for each in zip(tests, predicted, strict=True)]
     least = [least_noise(one.force) for one in tests]
     found = [one for one in measured if not math.isnan(one)]
-    known = [one for one, own in zip(measured, least, strict=True) if one > own]  # and not what a filter has left
-    other = float(np.median(known)) if known else 0.0
+    known = [(one, one / own) for one, own in zip(measured, least, strict=True) if one > own]
+    # of one size in all tests, or in proportion to their forces: the smaller one is surely there
+    size, share = np.median(known, axis=0).tolist() if known else (0.0, 0.0)
     return [
-        replace(test, channel_noise=one if one > own else max(other, own), noise_measured=bool(found))
+        replace(
+            test,
+            channel_noise=one if one > own else max(min(size, share * own), own),
+            noise_measured=bool(found),
+        )
         for test, one, own in zip(tests, measured, least, strict=True)
     ]
 
@@ -164,7 +169,7 @@ def _still(motion: Motion, rests: np.ndarray) -> Motion:
 
 
 def _channel_noise(test: Experiment, predicted: np.ndarray) -> float:
-    """Return the noise of the force channel, N, beside a predicted force (n,) N; nan: the motion leaves no place to it."""
+    """Return the noise of the force channel, N, beside a predicted force (n,) N; nan: the motion leaves it no place."""
     time, force, beside = test.motion.time, test.force, (test.motion.displacement, predicted)
     if test.clipped is not None:  # there is no noise at the end of a range
         return difference_noise(force, ~test.clipped)

@@ -43,7 +43,7 @@ class Floor:
         problem: with all tests, at full rate.
         noise: (tests,) standard deviation, N: the larger one of the noise of the channels and of what does not repeat.
         thermal: (tests,) mean square of what an error of the thermometer changes, N^2.
-        interpolation: (tests,) standard deviation, N, of what `noise` has of motions that are not known between samples.
+        interpolation: (tests,) standard deviation, N, that `noise` has of motions that are not known between samples.
         measured: whether the noise was measured in any test.
     """
 
@@ -88,7 +88,8 @@ class Floor:
         return self._nrms(use, [one**2 for one in self.interpolation])
 
     def _nrms(self, use: Use, power: Sequence[float]) -> float:
-        forces = [(one.force[one.judged], p) for one, p in zip(self.problem.experiments, power) if one.use == use]
+        every = zip(self.problem.experiments, power, strict=True)
+        forces = [(one.force[one.judged], p) for one, p in every if one.use == use]
         return sum(p * f.size for f, p in forces) / max(sum(float(f @ f) for f, _ in forces), 1e-300)
 
     def doubtful(self, errors: Errors, parameters: int) -> str:
@@ -110,8 +111,8 @@ class Floor:
         if not self.measured and left > MOST * floor:
             return (
                 "the noise was measured nowhere, as the motions reach up to the highest frequency of the sampling, and "
-                f"nothing rests or repeats; what is left, {_percent(left)}, may be noise, of which {_percent(floor)} is "
-                "assumed (0.1 % of the rms force, ISO 376)"
+                f"nothing rests or repeats; what is left, {_percent(left)}, may be noise, of which {_percent(floor)} "
+                "is assumed (0.1 % of the rms force, ISO 376)"
             )
         least = self._nrms("fit", [least_noise(one.force) ** 2 for one in self.problem.experiments])
         for estimate, hides, of in (
@@ -120,8 +121,8 @@ class Floor:
         ):
             if hides:
                 return (
-                    f"the estimate {of}, {_percent(estimate)}, is more than the model leaves, {_percent(left)}: whether "
-                    "something smaller is missing is not known"
+                    f"the estimate {of}, {_percent(estimate)}, is more than the model leaves, {_percent(left)}: "
+                    "whether something smaller is missing is not known"
                 )
         return ""
 

@@ -16,8 +16,8 @@ from edesign.calibration.signals.sampling import evenly, step
 from edesign.damper.testing.measured_histories import DamperTest
 
 CUBIC, SMOOTH = 3, 7
-"""Degrees of splines: the cubic one rings least beside corners. At 0.6 of the Nyquist frequency it errs by a tenth of the
-velocity, that of degree 7 by 0.4 %; of a higher degree records that end in motion grow worse at their ends."""
+"""Degrees of splines: the cubic one rings least beside corners. At 0.6 of the Nyquist frequency it errs by a tenth of
+the velocity, that of degree 7 by 0.4 %; of a higher degree records that end in motion grow worse at their ends."""
 
 NOTHING = 1e-6  # of the power of the velocity: the reproducibility of a force transducer, squared (ISO 376, class 0.5)
 _LONGEST, _FEWEST = 1024, 32  # samples of a segment of a spectrum, and of a record of which there is one
@@ -170,7 +170,7 @@ def _rounded(value: float) -> str:
 
 @lru_cache(maxsize=64)
 def _gain(degree: int, size: int, finer: float = 1.0) -> np.ndarray:
-    """Return by what a spline multiplies velocities (size,) of frequencies up to the Nyquist one, over so many times."""
+    """Return by what a spline multiplies velocities (size,) of frequencies up to a part of the Nyquist frequency."""
     omega = np.linspace(0.0, np.pi, size)[1:] / finer
     basis = BSpline.basis_element(np.arange(degree + 2) - 0.5 * (degree + 1))
     at = np.arange(1, degree // 2 + 1)

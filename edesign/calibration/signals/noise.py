@@ -50,8 +50,8 @@ def white_noise(values: np.ndarray, time: np.ndarray, beside: Sequence[np.ndarra
         beside: (n,) of other channels, which share the motion: noise is then looked for above what both share.
 
     Returns:
-        In the unit of the values; 0 if the channel has none. Where it shares something up to the highest frequency it is
-        that of rests, nan if there are none.
+        In the unit of the values; 0 if the channel has none. Where it shares something up to the highest frequency it
+        is that of rests, nan if there are none.
     """
     return _noise(values, time, beside)[0]
 

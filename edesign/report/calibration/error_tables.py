@@ -109,8 +109,8 @@ def each_test_table(calibration: Calibration) -> Table:
         which = "all tests" if len(assumed) == len(calibration.series) else ", ".join(assumed)
         notes.append(
             f"noise floor of {which}: not measured, but the reproducibility of a transducer of class 0.5 (0.1 % rms); "
-            "the record shows less, as one that was averaged, smoothed or computed does, and errors of that stay unseen; "
-            "or its motion reaches up to the highest frequency, where noise has no place of its own"
+            "the record shows less, as one that was averaged, smoothed or computed does, and errors of that stay "
+            "unseen; or its motion reaches up to the highest frequency, where noise has no place of its own"
         )
     clipped = [f"{one.name} {np.count_nonzero(one.clipped)}" for one in calibration.series if one.clipped is not None]
     if clipped:

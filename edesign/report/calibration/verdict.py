@@ -132,7 +132,8 @@ def _errors(calibration: Calibration) -> str:
     texts.append(f"; what no model can predict is {percent(calibration.noise_floor)} %")
     if 2.0 * calibration.interpolation > calibration.noise_floor:
         texts.append(
-            f", of which {percent(calibration.interpolation)} % is not known of the motion between samples: sample faster"
+            f", of which {percent(calibration.interpolation)} % is the motion between samples, which is not known: "
+            "sample faster"
         )
     texts.append(".")
     if calibration.as_declared:
