@@ -56,7 +56,8 @@ def with_noise(
 
     The force channel's is estimated above the motion, in what a model leaves of the force too, or in rests. Where a
     test has no such place, that of the others stands for it, and if none has one the least (`least_noise`). Noise of
-    the displacement makes force through the model: such noise is added and taken off again. That is most where the damper
+    the displacement makes force through the model: such noise is added and taken off again. That is most where the
+    damper
     is slow and its force steep over the velocity. The same noise is added whatever the model. It is added to motions
     that are at rest where no more than noise is left of them: what smoothing leaves of the noise there hides that of a
     second time from a law of a low power of the velocity. What is not known of the motion between its samples makes the

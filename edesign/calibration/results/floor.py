@@ -98,10 +98,6 @@ class Floor:
         Noise that was measured nowhere is assumed, as the least that an instrument has: what a model leaves beyond it
         may be noise or not. And neither noise nor errors of interpolation are more than what a model of few parameters
         leaves: an estimate that says so hides what is smaller.
-
-        Args:
-            errors: of the model.
-            parameters: of it.
         """
         fitted = [one for one in self.problem.experiments if one.use == "fit"]
         samples = sum(int(np.count_nonzero(one.judged)) for one in fitted)
