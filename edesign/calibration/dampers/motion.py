@@ -133,9 +133,13 @@ class Motion:
 
     @cached_property
     def frequency(self) -> float:
-        """Frequency of a sine with the root mean squares of velocity and acceleration, Hz."""
+        """Frequency of a sine with the root mean squares of velocity and acceleration, Hz.
+
+        It is at most half of the sampling: where two samples are much closer than the others, a corner between them
+        has an acceleration that is that of no motion.
+        """
         ratio = np.mean(self.acceleration**2) / max(np.mean(self.velocity**2), 1e-300)
-        return float(np.sqrt(ratio) / (2.0 * np.pi))
+        return min(float(np.sqrt(ratio) / (2.0 * np.pi)), 0.5 / float(np.median(self.steps)))
 
     @cached_property
     def spline(self) -> Spline:

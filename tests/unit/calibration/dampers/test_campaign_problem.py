@@ -9,6 +9,7 @@ import pytest
 from kelvin_voigt_campaign import NOISE, C, K, campaign, lawful
 
 from edesign.calibration.dampers.from_campaign import damper_problem
+from edesign.calibration.dampers.motion import Motion
 from edesign.damper.testing.campaign import Campaign
 from edesign.damper.testing.campaign_blocks import LawChoice
 from edesign.errors import InputError
@@ -32,6 +33,17 @@ def test_a_campaign_is_thinned_and_knows_its_noise(tmp_path):
         # estimated from a spectrum of some thirty segments
         assert full.channel_noise == pytest.approx(NOISE, rel=0.15)
     assert tests.typical.tones == ()
+
+
+def test_two_samples_close_together_do_not_refine_a_whole_record():
+    """A frame that logs a turn of the ramp at once, beside its two samples a second."""
+    time = np.insert(np.arange(0.0, 400.0, 0.5), 401, 200.001)
+    ramp = 1e-6 * np.minimum(time, 200.0)
+    velocity = np.where(time <= 200.0, 1e-6, 0.0)
+    motion = Motion(time, ramp, velocity, np.gradient(velocity, time))
+    assert motion.frequency <= 1.0  # half of the sampling (Shannon 1949)
+    slow = Motion(time, np.sin(0.2 * time), 0.2 * np.cos(0.2 * time), -0.04 * np.sin(0.2 * time))
+    assert slow.frequency == pytest.approx(0.2 / (2.0 * np.pi), rel=0.02)
 
 
 def test_hum_is_found_with_its_frequency(hummed):
