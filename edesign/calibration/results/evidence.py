@@ -311,10 +311,10 @@ class Evidence(ABC, Generic[T]):
             corrected: NRMS of the validation tests with it.
         """
         effect = model.effects[index]
-        words = effect.data.words(model.fit.values[model.places(index)])
+        own = model.fit.values[model.places(index)]
+        words, twin = effect.data.words(own), effect.data.twin
         rise, gain, error, confounded, probability = math.nan, math.nan, math.nan, dict[str, float](), math.nan
         titles: Mapping[str, str] = {}
-        twin = effect.data.twin
         if posterior is not None:
             probability = posterior.probability(effect.name)
         if posterior is not None and stands is not None:
@@ -340,7 +340,7 @@ class Evidence(ABC, Generic[T]):
             meanings=effect.data.meanings,
             titles=titles,
             other_kind=None if twin is None else twin.form.kind,
-            other_title="" if twin is None else twin.title,
+            other_title="" if twin is None else twin.words(own).title,
         )
 
 
