@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ from residual_examples import Example, Extra, campaign, examples
 from edesign.calibration.residual.curves import FreeCurve, free_curves
 from edesign.calibration.residual.series import Residual
 from edesign.calibration.residual.shape import describe_residual
+from edesign.report.calibration.residual_figures import curve_figures
 
 PERIOD = 8e-3  # m
 VALIDATION = (1, 5)  # a sine, and a random motion
@@ -108,3 +110,13 @@ def test_words_name_the_curve_and_need_validation_tests() -> None:
     assert "a smooth function of the displacement alone" in words and "(95 % of the validation tests)" in words
     assert free_curves(campaign(periodic)) == ()
     assert free_curves([]) == ()
+
+
+def test_the_figure_has_both_curves_alone_and_those_of_a_sum() -> None:
+    found = free_curves(split(lambda e: periodic(e) + power(e)))
+    ((name, caption, figure),) = curve_figures(SimpleNamespace(calibration=SimpleNamespace(unexplained_curves=found)))
+    titles = [axis.get_title(loc="left") for axis in figure.axes]
+    assert (name, len(titles)) == ("curves", 4) and titles[2].startswith("sum, displacement: takes 95 %")
+    assert "95 % band" in caption
+    nothing = free_curves(split())
+    assert not list(curve_figures(SimpleNamespace(calibration=SimpleNamespace(unexplained_curves=nothing))))
