@@ -141,7 +141,7 @@ class Adoption:
                     self.refused.setdefault(model.key, Refusal(gate, effect))
                     simpler.append(one)
             if model.refits and (one := self._variants.as_declared(model)) is not None:
-                if not sure(fitter.difference(model, one, fitter.noise(model, one), one)):
+                if not sure(fitter.compare(model, one)):
                     self.refused.setdefault(model.key, Refusal("law"))
                     simpler.append(one)
             if not simpler:

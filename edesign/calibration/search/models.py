@@ -311,9 +311,12 @@ class Fitter:
         """Return by how much one model predicts tests better than another.
 
         They are compared under the noise of the one that leaves less, beside what both have: the equations of their
-        common effects, as the one that leaves more has them, may be wrong. So the difference is the same both ways.
+        common effects, as the one that leaves more has them, may be wrong. So the difference is the same both ways. Of
+        models with the same effects nothing stands beside what differs, and no such error may explain it.
         """
         less, more = sorted((one, other), key=lambda each: float(np.mean(np.log(each.noise.long_run))))
+        if one.names == other.names:
+            return difference(self.score(one, less.noise), self.score(other, less.noise))
         common = self._common(less, more)
         return self.difference(one, other, self.noise(less, common), common)
 
