@@ -339,7 +339,7 @@ class DamperModel(EffectModel[DamperProblem]):
         def change() -> list[np.ndarray]:
             nothing = [np.zeros_like(self.problem.experiments[i].force) for i in self.tests]
             asked = [({**self.problem.declared, **(self.problem.near or self.problem.alone)}, through)]
-            (there,), (here,) = (one.prediction.predict(asked, tests) for one in (other, thought))
+            (there,), (here,) = (one.prediction.predict(asked, tests, uncertain.state) for one in (other, thought))
             if isinstance(there, PredictionError) or isinstance(here, PredictionError):
                 return nothing
             of = dict(zip(tests, (a - b for a, b in zip(there, here, strict=True)), strict=True))
