@@ -20,6 +20,7 @@ from edesign.estimation.parameters import ranges_of, values_of
 from edesign.estimation.uncertainty import uncertainty
 
 _TWO_SIDED = 1.959964  # standard deviations of a normal number within which 95 % lie
+_SHOWN = 0.1  # of the noise, in all samples together: a test that shows less leaves 99 % of the prior's variance
 
 
 @dataclass(frozen=True, eq=False)
@@ -136,7 +137,8 @@ def nuisances_of(whole: DamperProblem, model: FittedModel, forces: Sequence[np.n
     for name, amplitudes in found.items():
         at = 0
         for nuisance in amplitudes.every:
-            for told in nuisance.told:
+            shown = float(np.linalg.norm(amplitudes.columns[:, at : at + nuisance.columns.shape[1]])) > _SHOWN
+            for told in nuisance.told if shown else ():
                 key = (nuisance.of, told.name, told.unit, told.frequency)
                 places.setdefault(key, {})[name] = told, at
             at += nuisance.columns.shape[1]
