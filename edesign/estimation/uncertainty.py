@@ -95,7 +95,7 @@ def uncertainty(
     fitted: Fit,
     noise: Noise | None = None,
     blocks: Sequence[int] | None = None,
-    free: int | None = None,
+    size_of: range = range(0),
     wrong: Sequence[np.ndarray] | None = None,
 ) -> Uncertainty:
     """Return the uncertainty of a fit.
@@ -105,7 +105,8 @@ def uncertainty(
         noise: of the tests; None: that of the fit.
         blocks: of each test, whose scatter then stands for that from test to test; None: whole tests, of less than four
             halves, thirds or quarters.
-        free: index of a parameter that is not taken as known where it stands at a bound.
+        size_of: indices of the parameters of an effect whose size is asked for, which is the first: how much of it there
+            is, not of what shape. The others are then taken as known, and the size is not, even at a bound.
         wrong: columns (n_i, k) of each test by which the equations of the model may be wrong: their shares, the same in
             all tests, have the prior N(0, 1). None: none.
     """
@@ -114,7 +115,9 @@ def uncertainty(
     p, k = fitted.z.size, beside[0].shape[1]
     both = [np.hstack(each) for each in zip(fitted.slopes, beside, strict=True)]
     here = weighted(fitted.model, noise, fitted.values, fitted.predicted, both)
-    index = np.flatnonzero(np.append(fitted.free | (np.arange(p) == free), np.ones(k, dtype=bool)))
+    asked = fitted.free.copy()
+    asked[size_of] = np.arange(len(size_of)) == 0
+    index = np.flatnonzero(np.append(asked, np.ones(k, dtype=bool)))
     slopes = [j[:, index] for j in here.slopes]
     root = np.sqrt(np.append(priors_of(fitted.model.parameters), np.ones(k))[index])
     data = triangle(*slopes, np.zeros((index.size, index.size)))

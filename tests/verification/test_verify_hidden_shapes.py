@@ -1,7 +1,8 @@
 """Shapes of effects that are found with their sizes: equations and motions by numpy alone, nothing of edesign.
 
 Elastic-plastic friction, softening that fades slower than exponentially, contact with a power on both sides, a limit of
-the force. The law is a spring beside a dashpot, declared 10 % off.
+the force, a current on which yield and viscous force depend, and steel as another law. The law is a spring beside a
+dashpot, declared 10 % off, where nothing else is said.
 """
 
 from __future__ import annotations
@@ -76,20 +77,33 @@ def steel(u: np.ndarray, v: np.ndarray, gone: float) -> np.ndarray:
     return force
 
 
-def calibrated(folder: Path, force: Force, head: str = HEAD) -> Calibration:
+def magnetic(u: np.ndarray, v: np.ndarray, current: float) -> np.ndarray:
+    """A fluid in a field: 10 kN that slip and 0.1 kN s/mm at 1.25 A, 8 kN and 0.05 kN s/mm more over 1.5 A."""
+    x = (current - 1.25) / 1.5
+    yields, force = 10.0 + 8.0 * x, np.zeros_like(u)
+    for i, du in enumerate(np.diff(u)):
+        force[i + 1] = min(max(force[i] + 2.0 * yields * du, -yields), yields)
+    return force + (0.1 + 0.05 * x) * v
+
+
+def calibrated(
+    folder: Path, force: Force, head: str = HEAD, currents: tuple[float, ...] = (0.0,) * len(TESTS)
+) -> Calibration:
+    """Calibrate with tests of a force, which is given the path before or, where there are any, the current in A."""
     random, rows, gone = np.random.default_rng(7), "", 0.0
     for number, (amplitude, frequency) in enumerate(TESTS):
         t = np.arange(0.0, 10.0, 0.05 / RATE)
         w, rise = 2.0 * np.pi * frequency, 0.5 - 0.5 * np.cos(np.pi * np.clip(np.minimum(t, 10.0 - t) / 2.0, 0.0, 1.0))
         u = amplitude * rise * np.sin(w * t)
-        total = force(u, np.gradient(u, t), gone)
+        total = force(u, np.gradient(u, t), currents[number] or gone)
         gone += float(np.sum(np.abs(np.diff(u))))
         read = total[::20] + NOISE * random.standard_normal(t[::20].size)
         lines = [f"{a:.2f},{b:.6f},{c:.6f}" for a, b, c in zip(t[::20], u[::20], read, strict=True)]
         text = "\n".join(["time_s,displacement_mm,force_kN", *lines, ""])
         (folder / f"test_{number}.csv").write_text(text, encoding="utf-8")
         use = "validate" if number in VALIDATED else "fit"
-        rows += f"  - {{file: test_{number}.csv, temperature: 20 degC, use: {use}}}\n"
+        current = f"conditions: {{I: {currents[number]}}}"
+        rows += f"  - {{file: test_{number}.csv, temperature: 20 degC, use: {use}, {current}}}\n"
     path = folder / "campaign.yaml"
     path.write_text(head + rows, encoding="utf-8")
     return calibrate(load_campaign(path), threads=1)
@@ -129,3 +143,22 @@ def test_steel_that_hardens_in_both_ways_is_another_law_than_the_declared_one(tm
     )
     found = calibrated(tmp_path, steel, declared)
     assert found.other_law is not None and found.other_law.law == "chaboche"
+
+
+@pytest.mark.slow
+def test_yield_and_viscous_force_go_with_a_current_each_by_its_own_share(tmp_path: Path) -> None:
+    declared = HEAD.replace(
+        "kelvin_voigt, parameters: {k: 4.4 kN/mm, c: 0.135 kN*s/mm}",
+        "elastic_plastic, parameters: {k: 18 kN/mm, Fy: 11 kN, b: 0.001}",
+    )
+    currents = 0.5, 1.0, 1.5, 2.0, 0.8, 1.2, 1.8
+    found = calibrated(tmp_path, magnetic, declared, currents)
+    assert [effect.label for effect in found.effects] == ["condition.factor_and_dashpot_of_I"]
+    assert found.verdict == "explained"
+    away = (np.mean(currents[:5]) - 1.25) / 1.5  # of the tests fitted to, whose range is 1.5 A too
+    values = {name: one.value for name, one in found.effects[0].parameters.items()}
+    assert values["b"] == pytest.approx(8.0 / (10.0 + 8.0 * away), rel=0.01)
+    assert values["b_v"] == pytest.approx(0.05 / (0.1 + 0.05 * away), rel=0.02) and values["alpha"] == pytest.approx(
+        1.0, abs=0.02
+    )
+    assert [one.label for one in found.law_file.effects] == ["velocity_exponent.dashpot"]

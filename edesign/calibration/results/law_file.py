@@ -89,10 +89,8 @@ def carried(problem: DamperProblem, effect: Effect, values: np.ndarray) -> Carri
     """
     of: FormInCampaign = effect.data
     p, mechanisms = of.values(values), of.form.mechanisms
-    if of.form.name == CONDITION and not any(
-        isinstance(mechanism, CoreEffect) and mechanism.own for mechanism in mechanisms
-    ):
-        return Carried()
+    if of.form.name == CONDITION:  # at the mean nothing is left but what is an equation of its own
+        mechanisms = tuple(one for one in mechanisms if isinstance(one, CoreEffect) and one.own is not None)
     if any(isinstance(mechanism, LawParameters) for mechanism in mechanisms):
         return _in_temperature_law(problem, of, p)
     for rig in (mechanism.values(p) for mechanism in mechanisms if isinstance(mechanism, Rig)):

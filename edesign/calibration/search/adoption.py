@@ -190,8 +190,7 @@ class Adoption:
         bound = at_bounds(model.fit)[size[0]]
         if bound:
             return not (bound == "upper" and model.effects[index].parameters[0].whole)
-        low, high = uncertainty(model.fit, model.noise).interval(size[0])
-        return low <= 0.0 <= high
+        return _about_zero(model, index) is not None
 
     def _alone(self, model: FittedModel, index: int) -> bool:
         """Return whether the test in which a fault acts does not agree with the others."""
@@ -399,8 +398,8 @@ def _about_zero(model: FittedModel, index: int) -> tuple[float, float] | None:
     """Return the 95 % interval, SI, of an effect's size if it holds zero; None: it does not, or there is no size."""
     if not model.effects[index].parameters:
         return None
-    at = model.places(index)[0]
-    low, high = uncertainty(model.fit, model.noise, free=at).interval(at)
+    size = model.places(index)
+    low, high = uncertainty(model.fit, model.noise, size_of=size).interval(size[0])
     return (low, high) if low <= 0.0 <= high else None
 
 

@@ -114,7 +114,7 @@ def test_a_parameter_at_its_bound_is_known_unless_it_is_asked_for() -> None:
     found = fit(linear(x, measured, parameters), Noise.white([0.5] * 4), settings=TIGHT)
     assert at_bounds(found) == ("", "lower")
     assert uncertainty(found).interval(1) == (0.0, 0.0)
-    low, high = uncertainty(found, free=1).interval(1)
+    low, high = uncertainty(found, size_of=range(1, 2)).interval(1)
     assert low == 0.0 and 0.05 < high < 0.5
 
 

@@ -9,12 +9,12 @@ from functools import partial
 import numpy as np
 
 from edesign.calibration.dampers.effect import EffectForm, placed
-from edesign.calibration.dampers.effects import gas_spring
+from edesign.calibration.dampers.effects import gas_spring, viscous
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.mechanisms import CoreEffect, ForceChannel, LawParameters, Mechanism, Placement
 from edesign.calibration.dampers.motion import Motion
 from edesign.calibration.dampers.sizes import Condition, Sizes
-from edesign.calibration.form import Values, size
+from edesign.calibration.form import Values, shape, size
 from edesign.damper.law import Law
 
 CONDITION = "condition"
@@ -50,6 +50,11 @@ def _other(
 
 def _filled(name: str, p: Values, test: Experiment) -> Values:
     return {"P": p["P"] * test.conditions[name] / p["q_mean"]}
+
+
+def _thickened(name: str, p: Values, test: Experiment) -> Values:
+    """Return c of a dashpot that is F_V at V at the mean of the condition."""
+    return {"c": viscous.coefficient(p)["c"] * (1.0 + p["b_v"] * _away(p, test, name))}
 
 
 def of_conditions(s: Sizes, parameters: Sequence[str]) -> tuple[EffectForm, ...]:
@@ -108,6 +113,34 @@ def _forms(one: Condition, parameters: Sequence[str]) -> tuple[EffectForm, ...]:
         "a factor of the force, constant within a test, in proportion to the condition",
         CoreEffect("constant", factor=partial(_factor, one.name)),
     )
+    both = EffectForm(
+        CONDITION,
+        f"factor_and_dashpot_of_{one.name}",
+        "damper",
+        f"factor of the force and a viscous force beside it, both of which depend on {named}",
+        "loops that are higher and thicker with the condition, each by a share of its own, as of a fluid in a field",
+        _LINEAR,
+        (
+            CoreEffect("constant", factor=partial(_factor, one.name)),
+            CoreEffect("velocity_exponent.dashpot", more=viscous.coefficient, own=partial(_thickened, one.name)),
+        ),
+        lambda s: (
+            size("b", "", 1.0, -most, most),
+            size("F_V", "N", 0.3 * s.force, 0.0, 2.0 * s.force),
+            shape("alpha", "", 0.7, 0.1, 3.0, 0.7),
+            size("b_v", "", 1.0, -most, most),
+        ),
+        lambda s: tuple((b, 0.08 * s.force, 1.0, b) for b in (0.5, -0.5)),
+        lambda s: {"q_mean": one.mean, "q_range": one.span, "V": s.velocity},
+        proportional=False,
+        meanings={
+            "b": "share that the force gains from the smallest condition to the largest; negative: loses",
+            "F_V": "viscous force at the largest velocity of the tests fitted to and the mean condition",
+            "alpha": "exponent of the velocity",
+            "b_v": "share that it gains from the smallest condition to the largest; negative: loses",
+        },
+        refined=4,  # as of a dashpot
+    )
     gas = replace(
         gas_spring.FORM,
         name=CONDITION,
@@ -120,6 +153,7 @@ def _forms(one: Condition, parameters: Sequence[str]) -> tuple[EffectForm, ...]:
     return (
         constant,
         *([gas] if one.positive else []),
+        both,
         *placed(factor, Placement.WHOLE, Placement.SPRINGS, Placement.DASHPOTS),
         *map(of_parameter, parameters),
     )

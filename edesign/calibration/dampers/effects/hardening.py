@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from functools import partial
 
 from edesign.calibration.dampers.effect import EffectForm, placed
 from edesign.calibration.dampers.mechanisms import CoreEffect, Placement
@@ -25,9 +25,9 @@ def _at_rest(p: Values) -> Values:
     return {"k": p["F_s"] / p["u0"]}
 
 
-def _on_side(side: float) -> Callable[[Values], Values]:
-    """Return the side on which a contact acts."""
-    return lambda _: {"side": side}
+def _to(side: float, _: Values) -> Values:
+    """Return the side of a contact."""
+    return {"side": side}
 
 
 def _spring(s: Sizes) -> Parameter:
@@ -69,7 +69,7 @@ _CONTACT = EffectForm(
     "contact that stiffens, on both sides",
     _SIGNATURE,
     "contact of curved bodies: Jankowski (2005), Earthquake Engng Struct. Dyn. 34, 595-611 (power 3/2)",
-    tuple(CoreEffect("one_sided.contact", more=_on_side(side)) for side in (1.0, -1.0)),
+    tuple(CoreEffect("one_sided.contact", more=partial(_to, side)) for side in (1.0, -1.0)),
     lambda s: (
         size("k", "N/m", s.stiffness, -5.0 * s.stiffness, 20.0 * s.stiffness),
         Parameter("u0", "m", 0.0, 0.98 * s.displacement, 0.3 * s.displacement, 0.3 * s.displacement),

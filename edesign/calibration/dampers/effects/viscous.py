@@ -28,7 +28,7 @@ def _branch_starts(s: Sizes) -> Rows:
     return tuple((0.05 * s.stiffness * min(1.0 + 1.0 / (omega * t), 10.0), t) for t in times)
 
 
-def _coefficient(p: Values) -> Values:
+def coefficient(p: Values) -> Values:
     """Return c of a dashpot given by its force at a velocity V: c alone has a unit that depends on alpha."""
     return {"c": p["F_V"] / p["V"] ** p["alpha"]}
 
@@ -55,7 +55,7 @@ _DASHPOT = EffectForm(
     "viscous force with a power of the velocity that the law lacks",
     _IN_PHASE,
     "Constantinou & Symans (1993), Struct. Des. Tall Build. 2, 93-132; thesis Eq. 2.24",
-    (CoreEffect("velocity_exponent.dashpot", more=_coefficient),),
+    (CoreEffect("velocity_exponent.dashpot", more=coefficient),),
     lambda s: (
         size("F_V", "N", 0.3 * s.force, -2.0 * s.force, 2.0 * s.force),
         shape("alpha", "", 0.7, _LEAST, _MOST, 0.7),
@@ -72,7 +72,7 @@ _POSITION = replace(
     title="viscous force that grows with the deformation",
     signature="in phase with the velocity, more of it at a larger deformation; nothing at the tips nor in the middle",
     source="damping by the depth of an impact: Hunt & Crossley (1975), J. Appl. Mech. 42, 440-445 (alpha = 1)",
-    mechanisms=(CoreEffect("velocity_exponent.position", more=_coefficient),),
+    mechanisms=(CoreEffect("velocity_exponent.position", more=coefficient),),
     parameters=lambda s: (*_DASHPOT.parameters(s), shape("q", "", 1.0, 0.3, 4.0, spread=0.5)),
     starts=lambda s: tuple((0.08 * s.force, alpha, 1.0) for alpha in (0.2, 0.5, 1.0, 2.0)),
     constants=lambda s: {"V": s.velocity, "r": s.displacement},

@@ -309,6 +309,15 @@ EQUATIONS: dict[str, Callable[[P], Forces]] = {
     "inertia.mass": lambda p: beside(lambda m, i: p["mass"] * m.acceleration),
     "condition.force_of_V": lambda p: beside(lambda m, i: p["offset"] * (VOLTS[i] - 1.25) / 3.0),
     "condition.factor_of_V": lambda p: whole(lambda m, i: 1.0 + p["b"] * (VOLTS[i] - 1.25) / 3.0),
+    "condition.factor_and_dashpot_of_V": lambda p: each(
+        lambda m, i: (
+            (1.0 + p["b"] * (VOLTS[i] - 1.25) / 3.0) * law(m.displacement, m.velocity)
+            + p["F_V"]
+            * (1.0 + p["b_v"] * (VOLTS[i] - 1.25) / 3.0)
+            * np.abs(m.velocity / S.velocity) ** p["alpha"]
+            * np.sign(m.velocity)
+        )
+    ),
     "gain.force": lambda p: gained(p, 1),
     "gain.displacement": lambda p: scaled(p, 1),
     "gain.force_from_test_3": lambda p: gained(p, 3),
