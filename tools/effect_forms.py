@@ -106,7 +106,7 @@ class Row:
         form = self.form.twin or self.form if isinstance(self.form, EffectForm) else None
         if form is None or form.kind != "damper":
             return ""
-        kinds = [one.equation.split(".") for one in form.core_effects]
+        kinds = [one.equation.split(".") for one in form.core_effects if form.name != "condition" or one.own]
         if any(isinstance(mechanism, LawParameters) for mechanism in self.form.mechanisms):
             return "key `temperature_law`" if self.form.name == "temperature_law" else ""
         if not kinds or any(kind != kinds[0] for kind in kinds):

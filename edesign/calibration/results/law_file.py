@@ -17,7 +17,15 @@ import yaml
 from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.dampers.effects.condition import CONDITION
 from edesign.calibration.dampers.effects.temperature_law import lost
-from edesign.calibration.dampers.mechanisms import CoreEffect, LastingExtremes, LawParameters, Rest, Rig, RigValues
+from edesign.calibration.dampers.mechanisms import (
+    CoreEffect,
+    LastingExtremes,
+    LawParameters,
+    Mechanism,
+    Rest,
+    Rig,
+    RigValues,
+)
 from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.form import FormInCampaign
 from edesign.calibration.residual.series import Stage
@@ -64,12 +72,18 @@ class Carried:
 def form_in_law_files(form: EffectForm) -> bool:
     """Return whether law files carry a form of an effect, of some law at least, if it is of the damper."""
     form = form.twin or form
-    mechanisms = [mechanism for mechanism in form.mechanisms if not isinstance(mechanism, Rest | LastingExtremes)]
+    mechanisms = _left_in_files(form)
     if form.kind != "damper" or not mechanisms:
         return False
     if any(isinstance(mechanism, LawParameters) for mechanism in mechanisms):
         return form.name == "temperature_law"
     return all(isinstance(mechanism, CoreEffect) and _kind(form, mechanism) is not None for mechanism in mechanisms)
+
+
+def _left_in_files(form: EffectForm) -> list[Mechanism]:
+    """Mechanisms without those that act between tests alone, or that are nothing at the mean of a condition."""
+    mechanisms = [one for one in form.mechanisms if not isinstance(one, Rest | LastingExtremes)]
+    return [one for one in mechanisms if form.name != CONDITION or isinstance(one, CoreEffect) and one.own is not None]
 
 
 def parameters_in_law_files(form: EffectForm) -> dict[str, Parameter]:
@@ -88,17 +102,13 @@ def carried(problem: DamperProblem, effect: Effect, values: np.ndarray) -> Carri
         values: of its parameters, SI.
     """
     of: FormInCampaign = effect.data
-    p, mechanisms = of.values(values), of.form.mechanisms
-    if of.form.name == CONDITION:  # at the mean nothing is left but what is an equation of its own
-        mechanisms = tuple(one for one in mechanisms if isinstance(one, CoreEffect) and one.own is not None)
+    p, mechanisms = of.values(values), _left_in_files(of.form)
     if any(isinstance(mechanism, LawParameters) for mechanism in mechanisms):
         return _in_temperature_law(problem, of, p)
     for rig in (mechanism.values(p) for mechanism in mechanisms if isinstance(mechanism, Rig)):
         return Carried(brace=rig) if rig == RigValues(rig.stiffness, rig.play) else None
     found = []
     for mechanism in mechanisms:
-        if isinstance(mechanism, Rest | LastingExtremes):  # between tests alone
-            continue
         one = _law_effect(problem, of, mechanism, p) if isinstance(mechanism, CoreEffect) else None
         if one is None:
             return None
