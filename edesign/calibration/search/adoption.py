@@ -24,6 +24,7 @@ import numpy as np
 
 from edesign.calibration.search.models import FittedModel, Fitter, Key
 from edesign.calibration.search.problem import Effect
+from edesign.calibration.search.settings import SETTINGS
 from edesign.calibration.search.variants import Variants
 from edesign.estimation.left_out import LEAST, Difference
 from edesign.estimation.model import PredictionError
@@ -387,11 +388,13 @@ def validated(fitter: Fitter, found: Kept, plain: float, validate: Validate) -> 
 def misleads(corrected: float, plain: float) -> bool:
     """Return whether effects make validation tests predicted worse, so that they are withheld: all are hypotheses.
 
+    By less than instruments see they are not: half of all effects that do nothing in these tests would be.
+
     Args:
         corrected: NRMS of the validation tests with the effects; nan: they cannot be predicted.
         plain: the same by the base model alone, as declared or fitted again, the lesser one.
     """
-    return not corrected <= plain
+    return not corrected <= plain + SETTINGS.least**2
 
 
 def _about_zero(model: FittedModel, index: int) -> tuple[float, float] | None:

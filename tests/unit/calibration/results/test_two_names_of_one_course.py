@@ -19,7 +19,7 @@ def test_wear_with_the_path_and_softening_without_recovery_are_confounded():
     # F (1 - d (1 - exp(-s/s0))) is (1 - d) F (1 + d/(1 - d) exp(-s/s0)): the law takes the factor
     clean = problem("kelvin_voigt", 6, threads=1)
     (worn,) = (effect for effect in clean.effects if effect.label == "degradation.path")
-    true = np.array([[*clean.start, 0.3, 0.3 * clean.typical.path]])
+    true = np.array([[*clean.start, 0.3, 0.3 * clean.typical.path, 1.0]])
     (forces,) = clean.model([worn], ("fit", "validate")).forces(true)
     random = np.random.default_rng(3)
     tests = zip(clean.experiments, forces, strict=True)
