@@ -43,7 +43,7 @@ def test_a_search_that_is_interrupted_leaves_what_it_has_found(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     campaign(tmp_path / "c", _hardened, tests=5)
-    monkeypatch.setattr(Search, "_swap", _interrupt)
+    monkeypatch.setattr(Search, "_challenged", _interrupt)
     assert _run(tmp_path / "c", "--output", str(tmp_path / "out"), "--no-page") == 130
     said = capsys.readouterr()
     assert (
@@ -62,7 +62,7 @@ def test_a_second_interrupt_while_tests_are_predicted_loses_nothing(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     campaign(tmp_path / "c", _hardened, tests=5)
-    monkeypatch.setattr(Search, "_swap", _interrupt)
+    monkeypatch.setattr(Search, "_challenged", _interrupt)
     before, predicted = signal.getsignal(signal.SIGINT), outcome.predicted
 
     def interrupted(*given):  # type: ignore[no-untyped-def]
@@ -89,7 +89,7 @@ def test_a_search_that_is_interrupted_before_it_finds_anything_is_not_searched(
     assert (reported["verdict"], reported["search"], reported["effects"]) == ("not_searched", "interrupted", [])
     assert "Not searched" in (tmp_path / "out/calibration.html").read_text(encoding="utf-8")
     # before the law is fitted there is nothing to write
-    monkeypatch.setattr(Search, "_base", _interrupt)
+    monkeypatch.setattr(Search, "_roots", _interrupt)
     assert _run(tmp_path / "c", "--output", str(tmp_path / "none")) == 130
     assert not (tmp_path / "none").exists()
 

@@ -60,7 +60,7 @@ _CLOCK = EffectForm(
     (MotionChannel(_stretched),),
     lambda s: (size("g", "", _FAULT, -0.95, 10.0),),
     lambda s: ((_FAULT,),),
-    meanings={"g": "share by which durations read too long"},
+    meanings={"g": "share by which durations read too long; negative: too short"},
 )
 _TEMPERATURE = EffectForm(
     "thermometer",
@@ -73,7 +73,7 @@ _TEMPERATURE = EffectForm(
     lambda s: (size("error", "K", _MISREAD, -10.0 * _MISREAD, 10.0 * _MISREAD),),
     lambda s: ((_MISREAD,), (-_MISREAD,)),
     proportional=False,
-    meanings={"error": "by which the reading is too high"},
+    meanings={"error": "by which the reading is too high; negative: too low"},
 )
 _OF_ONE_TEST = (_FORCE, _DISPLACEMENT, lag.DELAY, _CLOCK, _TEMPERATURE)
 

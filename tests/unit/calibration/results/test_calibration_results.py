@@ -27,11 +27,11 @@ from edesign.errors import InputError
 from edesign.report.calibration.tables import tables_of
 from edesign.report.calibration.verdict import verdict_text
 
-CUBIC = 3e10  # N/m3
+FOURTH = 1.2e12  # N/m4
 
 
 def hardening(t, u, v, a, order):
-    return lawful(t, u, v, a, order) + CUBIC * u**3
+    return lawful(t, u, v, a, order) + FOURTH * u * np.abs(u) ** 3
 
 
 @pytest.fixture(scope="module")
@@ -44,7 +44,7 @@ def test_intervals_hold_what_the_specimen_has(hard):
     _, found = hard
     (effect,) = found.effects
     assert (found.verdict, effect.label, effect.kind) == ("explained", "hardening.power", "damper")
-    truth = {"k": CUBIC * effect.fixed["r"] ** 2, "p": 3.0}
+    truth = {"k": FOURTH * effect.fixed["r"] ** 3, "p": 4.0}
     for name, value in truth.items():
         low, high = effect.parameters[name].interval
         # a spring that saturates does the same beside another stiffness, but for 0.2 % of it: k and p answer for that
@@ -62,8 +62,12 @@ def test_the_errors_are_those_of_the_specimen(hard):
     power = 0.0
     for series in found.series:
         if series.use == "validate":
-            force = K * series.displacement + C * series.velocity + CUBIC * series.displacement**3
-            missing += float(np.sum((CUBIC * series.displacement**3) ** 2))
+            force = (
+                K * series.displacement
+                + C * series.velocity
+                + FOURTH * series.displacement * np.abs(series.displacement) ** 3
+            )
+            missing += float(np.sum((FOURTH * series.displacement * np.abs(series.displacement) ** 3) ** 2))
             power += float(np.sum(force**2))
     # noise is 4e-5 of the force squared, and adds to what is missing
     assert found.errors["declared"].validate == pytest.approx(missing / power + found.noise_floor, rel=0.02)
@@ -71,7 +75,8 @@ def test_the_errors_are_those_of_the_specimen(hard):
         found.noise_floor, rel=0.1
     )  # of 4000 samples, correlated
     assert found.effects[0].gain > 2.0 * found.effects[0].gain_error
-    assert found.effects[0].probability > 0.99 and not found.effects[0].indistinguishable_from
+    # a spring whose stiffness grows with the amplitude, and fades slowly, does nearly the same
+    assert found.effects[0].probability > 0.8 and set(found.effects[0].indistinguishable_from) <= {"payne"}
     assert found.effects[0].delta_validate == pytest.approx(
         found.errors["refit"].validate - found.errors["corrected"].validate, rel=0.3
     )  # the law alone, fitted under another noise and at another sampling
@@ -98,7 +103,7 @@ def test_what_people_read_names_the_effect_and_the_file(hard):
     assert [table.title for table in tables_of(found)][0] == "Errors"
     reported = calibration_json(found)
     assert (
-        reported["effects"][0]["parameters"]["p"]["interval"][0] < 3.0 and reported["law_file"]["stage"] == "corrected"
+        reported["effects"][0]["parameters"]["p"]["interval"][0] < 4.0 and reported["law_file"]["stage"] == "corrected"
     )
     assert reported["coverage"]["depths"][0]["adopted"] == ("hardening.power",)
 
