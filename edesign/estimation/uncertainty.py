@@ -105,8 +105,8 @@ def uncertainty(
         noise: of the tests; None: that of the fit.
         blocks: of each test, whose scatter then stands for that from test to test; None: whole tests, of less than four
             halves, thirds or quarters.
-        size_of: indices of the parameters of an effect whose size, the first one, is asked for: how much of it there is,
-            not of what shape. The others are then taken as known, and the size is not, even at a bound.
+        size_of: indices of the parameters of an effect whose size, the first one, is asked for: how much there is, not
+            of what shape. The others are then taken as known, and the size is not, even at a bound.
         wrong: columns (n_i, k) of each test by which the equations of the model may be wrong: their shares, the same in
             all tests, have the prior N(0, 1). None: none.
     """

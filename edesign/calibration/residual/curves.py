@@ -204,7 +204,6 @@ class _Tests:
         """Return the curves of a sum.
 
         Args:
-            axes: of each curve.
             factor: (n,) of the force; None: 1.
         """
         weight = self.weight if factor is None else self.weight * factor

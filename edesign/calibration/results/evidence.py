@@ -402,8 +402,6 @@ def unexplained_share(errors: Mapping[Stage, Errors], plain: Stage, floor: Mappi
     It is that of the validation tests; where nothing is above noise in these, that of the tests fitted to.
 
     Args:
-        errors: by stage.
-        plain: the model without effects.
         floor: NRMS of what no model can predict, by the use of tests.
     """
     use: Use = "validate" if errors[plain].validate > MOST * floor["validate"] else "fit"

@@ -17,13 +17,13 @@ class Variants:
     """Fits variants of models; what was fitted in the place of an effect is kept.
 
     Args:
-        declared: the base model as it is declared.
         base: the same, fitted; the declared one where that is fixed.
     """
 
     def __init__(self, fitter: Fitter, declared: FittedModel, base: FittedModel) -> None:
         self._fitter, self._declared, self._base = fitter, declared, base
         self._beside = dict[Key, dict[str, FittedModel]]()
+        self._without = dict[tuple[int, int], tuple[FittedModel, FittedModel | None]]()
 
     def as_declared(self, model: FittedModel) -> FittedModel | None:
         """Return a model with the base as declared, its effects fitted again; None: it cannot predict so."""
@@ -52,9 +52,12 @@ class Variants:
         others, values = model.without(index)
         if not others:
             return self.without_effects(model)
-        slopes = [np.delete(j, model.places(index), axis=1) for j in model.fit.slopes]
-        rough = self._fitter.linearised(others, [values], slopes, model.noise, model.fit.held)
-        return None if rough is None else self._fitter.reweighted(rough)
+        key = id(model), index
+        if key not in self._without:
+            slopes = [np.delete(j, model.places(index), axis=1) for j in model.fit.slopes]
+            rough = self._fitter.linearised(others, [values], slopes, model.noise, model.fit.held)
+            self._without[key] = model, None if rough is None else self._fitter.reweighted(rough)
+        return self._without[key][1]
 
     def refitted_without(self, model: FittedModel, index: int) -> FittedModel | None:
         """Return a model without one of its effects, its base fitted too: what takes the place may ask for that."""
