@@ -366,7 +366,7 @@ def why_dropped(one: Dropped) -> str:
 def refusal_words(one: Refusal) -> str:
     """Return why a model that the search looked at is none to adopt, for people."""
     words = _GATES[one.gate]
-    return f"{one.effect.label} {words}" if one.effect is not None else words
+    return f"{one.effect.name.replace('_', ' ')} {words}" if one.effect is not None else words
 
 
 _GATES: Mapping[Gate, str] = {

@@ -89,7 +89,6 @@ COMPARED = TableSpec[Row](
     (
         text("effects of the model"),
         col("fitted tests: NRMS", PERCENT, digits=3),
-        text("{model}"),
         col("behind", ONE),
         text("probability"),
         text("why it does not stand"),
@@ -167,14 +166,16 @@ def hypotheses_table(calibration: Calibration) -> Table:
 def models_table(calibration: Calibration) -> Table:
     """Return the models that the search compared: the one that stands, and the others as they are behind or ahead."""
     model = MODELS[calibration.subject]
-    alone = len(calibration.models) == 1 and not calibration.depths
+    nothing = len(calibration.models) == 1 and not calibration.depths
     rows: list[Row] = []
-    for one in () if alone else calibration.models:
+    for one in () if nothing else calibration.models:
         behind = None if one.behind == one.error == 0.0 else f"{one.behind:.1f} ± {one.error:.1f}"
-        effects = " + ".join(one.effects) or f"the {model} alone"
-        based = "fitted" if one.refit else "as declared"
+        based = "" if calibration.law_fixed else " fitted" if one.refit else " as declared"
+        effects = " + ".join(one.effects) or f"the {model}{based} alone"
+        if one.effects and based == " as declared":
+            effects += f", {model} as declared"
         likely = None if one.probability == 0.0 and one.why_not else probability_text(one.probability)
-        rows.append((effects, finite(one.nrms), based, behind, likely, one.why_not or None))
+        rows.append((effects, finite(one.nrms), behind, likely, one.why_not or None))
     notes = []
     if rows:
         notes += [
@@ -183,7 +184,7 @@ def models_table(calibration: Calibration) -> Table:
         ]
     if any(one.why_not for one in calibration.models):
         notes.append("a model that does not pass all gates of adoption has no share in the probabilities")
-    return COMPARED.of(rows, notes=notes, model=model)
+    return COMPARED.of(rows, notes=notes)
 
 
 def law_table(calibration: Calibration) -> Table:
