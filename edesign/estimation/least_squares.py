@@ -99,6 +99,11 @@ class Fit:
         return values_of(self.model.parameters, self.z)
 
     @cached_property
+    def without(self) -> dict[int, Fit]:
+        """Fits without a test, by its index, as far as they were asked for."""
+        return {}
+
+    @cached_property
     def left(self) -> tuple[np.ndarray, ...]:
         """Residuals (n_i,) of each test, measured less predicted."""
         return tuple(y - f for y, f in zip(self.model.measured, self.predicted, strict=True))

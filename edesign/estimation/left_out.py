@@ -94,18 +94,20 @@ def without(
     """Return a model about its fit to the other tests, the step to that, and for how many sets they were predicted.
 
     Args:
-        test: that is left out. Where it moves the model far, that is fitted again.
+        test: that is left out. Where it moves the model far, that is fitted again under its own noise, once.
     """
-    step, whole = here.step(test), here.step()
+    step, whole, evaluations = here.step(test), here.step(), 0
     if step is None or whole is None or np.max(np.abs(step - whole), initial=0.0) <= _NEAR:
         return here, step, 0
-    try:
-        again = fit(fitted.model, noise.without(test), fitted, _REFIT_STEPS, _ROUGH)
-        there = Linear.of(again, noise, wrong)
-    except PredictionError:
-        return here, step, 0
+    if test not in fitted.without:
+        try:
+            fitted.without[test] = fit(fitted.model, fitted.noise.without(test), fitted, _REFIT_STEPS, _ROUGH)
+            evaluations = fitted.without[test].evaluations
+        except PredictionError:
+            fitted.without[test] = fitted
+    there = Linear.of(fitted.without[test], noise, wrong)
     found = there.step(test)
-    return (here, step, again.evaluations) if found is None else (there, found, again.evaluations)
+    return (here, step, evaluations) if found is None else (there, found, evaluations)
 
 
 def _scale(power: np.ndarray, test: int, others: float) -> float:
