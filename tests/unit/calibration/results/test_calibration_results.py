@@ -76,7 +76,7 @@ def test_the_errors_are_those_of_the_specimen(hard):
     )  # of 4000 samples, correlated
     assert found.effects[0].gain > 2.0 * found.effects[0].gain_error
     # a spring whose stiffness grows with the amplitude, and fades slowly, does nearly the same
-    assert found.effects[0].probability > 0.8 and set(found.effects[0].indistinguishable_from) <= {"payne"}
+    assert found.effects[0].probability > 0.8
     assert found.effects[0].delta_validate == pytest.approx(
         found.errors["refit"].validate - found.errors["corrected"].validate, rel=0.3
     )  # the law alone, fitted under another noise and at another sampling
