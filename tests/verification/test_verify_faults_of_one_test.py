@@ -58,6 +58,7 @@ CASES: list[tuple[str, Fault, int, str, float]] = [
     ("kelvin_voigt", more_force(0.12), 3, "gain.force_of_test_3", 0.12),
     ("kelvin_voigt", more_force(-0.08), 1, "gain.force_of_test_1", -0.08),
     ("kelvin_voigt", late_force(0.02), 3, "lag.delay_of_test_3", 0.02),
+    ("kelvin_voigt", late_force(0.22), 3, "lag.delay_of_test_3", 0.22),  # a ninth of its period
     ("kelvin_voigt", inches, 2, "gain.displacement_of_test_2", 1.0 / 25.4 - 1.0),
     ("bouc_wen", more_force(0.12), 4, "gain.force_of_test_4", 0.12),
     ("bouc_wen", more_displacement(0.08), 2, "gain.displacement_of_test_2", 0.08),

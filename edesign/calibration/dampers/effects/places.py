@@ -75,7 +75,7 @@ _TEMPERATURE = EffectForm(
     proportional=False,
     meanings={"error": "by which the reading is too high; negative: too low"},
 )
-_OF_ONE_TEST = (_FORCE, _DISPLACEMENT, lag.DELAY, _CLOCK, _TEMPERATURE)
+_OF_ONE_TEST = (_FORCE, _DISPLACEMENT, lag.OF_ONE_TEST, _CLOCK, _TEMPERATURE)
 
 
 def one_test(s: Sizes) -> tuple[EffectForm, ...]:

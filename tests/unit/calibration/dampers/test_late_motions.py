@@ -72,6 +72,14 @@ def test_a_rig_may_be_late_by_30_ms_however_fast_its_tests_are(frequency: float,
     assert lags and all(one.parameters[0].upper == pytest.approx(longest, rel=0.02) for one in lags)
 
 
+def test_one_test_may_be_late_by_a_quarter_of_the_slowest_period() -> None:
+    """A fault is no error of a class: beyond a quarter the force goes against the motion, and nothing else is a bound."""
+    tests = problem("kelvin_voigt", tests=4)
+    lags = [one.parameters[0] for one in tests.effects if one.label.startswith("lag.delay_of_test_")]
+    assert len(lags) == 3  # those that are fitted to
+    assert all(one.upper == -one.lower == pytest.approx(0.25 * tests.typical.lag_period) for one in lags)
+
+
 @pytest.mark.parametrize("samples", [2, 3, 9, 12])
 def test_a_test_of_a_few_samples_is_predicted_behind_a_rig(samples: int) -> None:
     t = np.arange(samples) / RATE
