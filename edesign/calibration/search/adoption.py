@@ -183,21 +183,15 @@ class Adoption:
         A share of a whole may be all of it. A fault in one test is nothing if the test agrees with the others as well
         as these with each other.
         """
-        if len(model.effects[index].tests) == 1 and not self._alone(model, index):
-            return True
         size = model.places(index)[:1]
-        if not size:
-            return False
-        bound = at_bounds(model.fit)[size[0]]
-        if bound:
-            return not (bound == "upper" and model.effects[index].parameters[0].whole)
-        return _about_zero(model, index) is not None
-
-    def _alone(self, model: FittedModel, index: int) -> bool:
-        """Return whether the test in which a fault acts does not agree with the others."""
-        rest = self._variants.omitting(model, index)
+        bound = at_bounds(model.fit)[size[0]] if size else ""
+        whole = bound == "upper" and model.effects[index].parameters[0].whole
+        if not whole and (bound or _about_zero(model, index) is not None):
+            return True
+        tests = model.effects[index].tests
+        rest = self._variants.omitting(model, index) if len(tests) == 1 else None
         found = None if rest is None else self._fitter.outlier(rest)
-        return rest is None or (found is not None and found.sure and found.test in model.effects[index].tests)
+        return rest is not None and not (found is not None and found.sure and found.test in tests)
 
     def _insignificant_effects(self, model: FittedModel) -> int:
         return sum(self.insignificant(model, i) for i in range(len(model.effects)))
