@@ -117,6 +117,8 @@ DELAY = EffectForm(
         "zeta": "damping ratio of it: 0.87 of a Bessel filter, 0.71 of a Butterworth",
     },
 )
+
+
 def _fault(s: Sizes) -> tuple[Parameter, ...]:
     """Return the lag of one test: no error of a class, and within a quarter of the slowest period."""
     return (size("lag", "s", _LONGEST * s.lag_period, -_QUARTER * s.lag_period, _QUARTER * s.lag_period),)

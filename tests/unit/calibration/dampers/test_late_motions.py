@@ -73,7 +73,7 @@ def test_a_rig_may_be_late_by_30_ms_however_fast_its_tests_are(frequency: float,
 
 
 def test_one_test_may_be_late_by_a_quarter_of_the_slowest_period() -> None:
-    """A fault is no error of a class: beyond a quarter the force goes against the motion, and nothing else is a bound."""
+    """A fault is no error of a class: beyond a quarter of a period the force goes against the motion."""
     tests = problem("kelvin_voigt", tests=4)
     lags = [one.parameters[0] for one in tests.effects if one.label.startswith("lag.delay_of_test_")]
     assert len(lags) == 3  # those that are fitted to
