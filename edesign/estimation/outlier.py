@@ -8,7 +8,8 @@ measured. Each pair of tests i and j is left out of the fit, so that both are pr
 q is the mean square in units of the noise, freed of what the others do not determine; w and P are the variance of the
 noise and the mean square of the measured values. A_i is how far the noise is known, with ten degrees of freedom, and
 B_i the scatter from test to test, with T - 2. Those of their sum are Satterthwaite's. The largest of T ratios has
-Bonferroni's bound.
+Bonferroni's bound. Where a model has a fault in test i, B_i is the mean of e_j|-j beside it: test i without its fault
+says of the law what few other tests do not.
 
 Sources: Cook and Weisberg (1982), Residuals and influence in regression, section 2.2 (the largest of all externally
 studentized residuals); Chow (1960), Econometrica 28, 591-605 (tests predicted by a fit without them); Satterthwaite
@@ -52,11 +53,12 @@ class Outlier:
         return self.chance < _CHANCE
 
 
-def outlier(fitted: Fit, noise: Noise) -> Outlier | None:
+def outlier(fitted: Fit, noise: Noise, explained: tuple[int, Fit] | None = None) -> Outlier | None:
     """Return the test that agrees least with the others; None: there are less than three.
 
     Args:
         noise: of the channels alone.
+        explained: the one test that is asked about, and a fit with a fault in it, beside which the others are compared.
     """
     from scipy.special import stdtr  # scipy takes time at the start of every command
 
@@ -74,11 +76,18 @@ def outlier(fitted: Fit, noise: Noise) -> Outlier | None:
         square = at.predicted(test, step, *others)[0] / noise.independent(test, fitted.predicted[test].size)
         return (square - 1.0) * share[test]
 
-    for i in range(tests):
+    for i in range(tests) if explained is None else explained[:1]:
         at, _, spent = without(here, fitted, noise, None, i)
         evaluations += spent
         rest = [j for j in range(tests) if j != i]
-        own, others = min(excess(at, i, j) for j in rest), [max(excess(at, j, i), 0.0) for j in rest]
+        own = min(excess(at, i, j) for j in rest)
+        if explained is None:
+            others = [max(excess(at, j, i), 0.0) for j in rest]
+        else:
+            there = Linear.of(explained[1], noise, None)
+            apart = [without(there, explained[1], noise, None, j) for j in rest]
+            evaluations += sum(one[2] for one in apart)
+            others = [max(excess(one[0], j), 0.0) for one, j in zip(apart, rest, strict=True)]
         known = math.sqrt(2.0 / PRIOR_FREEDOM) * share[i]
         scatter = sum(others) / len(others)
         freedom = (known + scatter) ** 2 / (known**2 / PRIOR_FREEDOM + scatter**2 / (len(others) - 1.0))

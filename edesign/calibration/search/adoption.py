@@ -190,8 +190,8 @@ class Adoption:
             return True
         tests = model.effects[index].tests
         rest = self._variants.omitting(model, index) if len(tests) == 1 else None
-        found = None if rest is None else self._fitter.outlier(rest)
-        return rest is not None and not (found is not None and found.sure and found.test in tests)
+        found = None if rest is None else self._fitter.outlier(rest, model, index)
+        return rest is not None and not (found is not None and found.sure)
 
     def _insignificant_effects(self, model: FittedModel) -> int:
         return sum(self.insignificant(model, i) for i in range(len(model.effects)))

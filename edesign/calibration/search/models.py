@@ -196,7 +196,7 @@ class Fitter:
         self.effort = Effort(settings.effort)
         self.fitted = 0
         self._scores: dict[tuple[int, Noise, int, bool], tuple[FittedModel, object, Score]] = {}
-        self._outliers: dict[int, tuple[FittedModel, Outlier | None]] = {}
+        self._outliers: dict[tuple[int, int, int], tuple[FittedModel, FittedModel | None, Outlier | None]] = {}
         self._discrepancies: dict[int, tuple[FittedModel, Columns | None]] = {}
         self._commons: dict[tuple[int, tuple[Effect, ...]], tuple[FittedModel, FittedModel]] = {}
 
@@ -346,22 +346,30 @@ class Fitter:
         """
         return difference(self.score(better, noise, known), self.score(worse, noise, known))
 
-    def outlier(self, model: FittedModel) -> Outlier | None:
+    def outlier(self, model: FittedModel, faulty: FittedModel | None = None, index: int = -1) -> Outlier | None:
         """Return the test that agrees least with the others beside a model; None: there are too few.
 
         What a fault is in one test is known from that test alone, and is kept where the test is left out.
-        """
-        if id(model) not in self._outliers:
-            found = outlier(self._with_known_faults(model), Noise.white(self.problem.deviations))
-            self.effort.spend(0 if found is None else found.evaluations, model.effects)
-            self._outliers[id(model)] = model, found
-        return self._outliers[id(model)][1]
 
-    def _with_known_faults(self, model: FittedModel) -> Fit:
-        """Return the fit of a model with faults in one test that have the values found, and next to no prior spread."""
+        Args:
+            faulty: the model with one fault more, of which the test alone is asked about.
+            index: of that fault among its effects.
+        """
+        key = id(model), id(faulty), index
+        if key not in self._outliers:
+            of = None
+            if faulty is not None:
+                of = faulty.effects[index].tests[0], self._with_known_faults(faulty, index)
+            found = outlier(self._with_known_faults(model), Noise.white(self.problem.deviations), of)
+            self.effort.spend(0 if found is None else found.evaluations, model.effects)
+            self._outliers[key] = model, faulty, found
+        return self._outliers[key][2]
+
+    def _with_known_faults(self, model: FittedModel, free: int = -1) -> Fit:
+        """Return the fit of a model with faults in one test, but one, that have the values found, and no spread."""
         effects, scale, values = list(model.effects), np.ones(model.fit.z.size), model.fit.values
         for index, effect in enumerate(effects):
-            if len(effect.tests) == 1:
+            if len(effect.tests) == 1 and index != free:
                 places = model.places(index)
                 scale[places] = _KNOWN
                 own = zip(effect.parameters, values[places], strict=True)

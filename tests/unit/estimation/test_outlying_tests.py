@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from estimation_models import free, linear
+from estimation_models import FormulaModel, free, linear, normal
 from scipy.stats import t as student
 
 from edesign.estimation.least_squares import fit
@@ -75,6 +75,22 @@ def test_a_fault_in_one_test_is_found_beside_others_that_leave_noise(tests: int,
     found = [campaign_of(random, tests, faulty=0.12)[3] for _ in range(20)]
     assert sum(one is not None and one.sure and one.test == 1 for one in found) >= least
     assert not any(one is not None and one.sure and one.test != 1 for one in found)
+
+
+def test_others_are_compared_beside_the_fault_that_explains_a_test() -> None:
+    """Of a linear law it makes little of a difference to the ratio whether the others are left out with that test."""
+    for seed in range(4):
+        matrices, measured, deviations, alone = campaign_of(np.random.default_rng(20 + seed), 6, faulty=0.12)
+        white = Noise.white(deviations)
+        gain = [1.0 if i == 1 else 0.0 for i in range(6)]
+
+        def forces(v: np.ndarray, matrices: Lists = matrices, gain: list[float] = gain) -> Lists:
+            return [(1.0 + g * v[3]) * (m @ v[:3]) for m, g in zip(matrices, gain, strict=True)]
+
+        faulty = fit(FormulaModel((*free("kcF"), *normal("g")), tuple(measured), forces), white)
+        found = outlier(fit(linear(matrices, measured, free("kcF")), white), white, (1, faulty))
+        assert alone is not None and found is not None and found.test == 1
+        assert found.ratio > 0.8 * alone.ratio or alone.test != 1
 
 
 def test_of_two_tests_none_is_the_outlier() -> None:
