@@ -125,10 +125,11 @@ class Posterior:
         return {other: title for other, (_, title) in found.items()}
 
     def _in_place_of(self, name: str) -> Iterator[tuple[int, list[Effect]]]:
-        """Models that are not surely behind the best one, with the effects that stand in the place of one of it."""
+        """Models of no more effects that are not surely behind, with those that stand in the place of one."""
         for i, model in enumerate(self.models):
             others = sorted((one for one in model.effects if one.name not in self.best.names), key=lambda one: one.name)
-            if name not in model.names and others and self.odds(i) >= LEAST and not sure(self.behind(i)):
+            no_more = len(model.effects) <= len(self.best.effects)
+            if name not in model.names and others and no_more and self.odds(i) >= LEAST and not sure(self.behind(i)):
                 yield i, others
 
     def rivals(self) -> tuple[int, ...]:
