@@ -124,24 +124,10 @@ class Adoption:
         """
         fitter, explained = self._fitter, list[float]()
         while model.effects:
-            simpler, explained = [], []
-            for index, effect in enumerate(model.effects):
-                others, _ = model.without(index)
-                alike = others == known.effects and model.fit.held == known.fit.held
-                one = known if alike else self._variants.omitting(model, index)
-                if one is None:
-                    explained.append(math.inf)
-                    continue
-                noise = fitter.noise(model, one)
-                if sure(fitter.difference(model, one, noise, one)) and one is not known:
-                    one = fitter.reweighted(self._variants.with_best_forms(one, noise, True))
-                    noise = fitter.noise(model, one)
-                explained.append(one.nrms - model.nrms)
-                gate = self._gate(model, index, one, explained[-1], noise)
-                if gate is not None:
-                    self.refused.setdefault(model.key, Refusal(gate, effect))
-                    simpler.append(one)
-            if model.refits and (one := self._variants.as_declared(model)) is not None:
+            simpler = [one for i in self._idle(model) if (one := self._variants.omitting(model, i)) is not None]
+            if not simpler:
+                simpler, explained = self._needless(model, known)
+            if not simpler and model.refits and (one := self._variants.as_declared(model)) is not None:
                 if not sure(fitter.compare(model, one)):
                     self.refused.setdefault(model.key, Refusal("law"))
                     simpler.append(one)
@@ -149,14 +135,44 @@ class Adoption:
                 break
             # of two effects that do the same, the one stays that is something
             noise = fitter.noise(model, known)
-            model = min(simpler, key=lambda one: (self._insignificant_effects(one), -fitter.score(one, noise).total))
+            model = min(simpler, key=lambda one: (len(self._idle(one)), -fitter.score(one, noise).total))
         # less than is known already is no step: the next depth would take it back
         if not model.effects or model.changes <= known.changes:
             return None
         new = [i for i, effect in enumerate(model.effects) if effect.name not in known.names]
         old = [i for i in range(len(model.effects)) if i not in new]
-        explained += [math.inf] * (len(model.effects) - len(explained))
         return fitter.in_order(model, [*old, *sorted(new, key=lambda i: -explained[i])])
+
+    def _needless(self, model: FittedModel, known: FittedModel) -> tuple[list[FittedModel], list[float]]:
+        """Return a model without each of the effects that do not pass a gate, and what each effect explains.
+
+        What an effect explains is a share of the power of what was measured, beside the best equations of the others.
+        """
+        fitter, simpler, explained = self._fitter, list[FittedModel](), list[float]()
+        for index, effect in enumerate(model.effects):
+            others, _ = model.without(index)
+            alike = others == known.effects and model.fit.held == known.fit.held
+            one = known if alike else self._variants.omitting(model, index)
+            if one is None:
+                explained.append(math.inf)
+                continue
+            noise = fitter.noise(model, one)
+            if sure(fitter.difference(model, one, noise, one)) and one is not known:
+                one = fitter.reweighted(self._variants.with_best_forms(one, noise, True))
+                noise = fitter.noise(model, one)
+            explained.append(one.nrms - model.nrms)
+            gate = self._gate(model, index, one, explained[-1], noise)
+            if gate is not None:
+                self.refused.setdefault(model.key, Refusal(gate, effect))
+                simpler.append(one)
+        return simpler, explained
+
+    def _idle(self, model: FittedModel) -> list[int]:
+        """Return the indices of effects that may be of no size."""
+        found = [i for i in range(len(model.effects)) if self.insignificant(model, i)]
+        if found:
+            self.refused.setdefault(model.key, Refusal("no_size", model.effects[found[0]]))
+        return found
 
     def _gate(self, model: FittedModel, index: int, rest: FittedModel, explained: float, noise: Noise) -> Gate | None:
         """Return the gate that an effect does not pass; None: it passes all.
@@ -173,8 +189,6 @@ class Adoption:
             return "motion_noise"
         if not sure(fitter.difference(model, rest, noise, rest)):
             return "not_needed"
-        if self.insignificant(model, index):
-            return "no_size"
         return None if self._identified_in(model, index, rest, noise) else "alike"
 
     def insignificant(self, model: FittedModel, index: int) -> bool:
@@ -192,9 +206,6 @@ class Adoption:
         rest = self._variants.omitting(model, index) if len(tests) == 1 else None
         found = None if rest is None else self._fitter.outlier(rest, model, index)
         return rest is not None and not (found is not None and found.sure)
-
-    def _insignificant_effects(self, model: FittedModel) -> int:
-        return sum(self.insignificant(model, i) for i in range(len(model.effects)))
 
     def _identified_in(self, model: FittedModel, index: int, rest: FittedModel, noise: Noise) -> bool:
         """Return whether an effect is no error of the equations of the others.
