@@ -165,7 +165,10 @@ class Evidence(ABC, Generic[T]):
     def plain(self) -> Stage:
         """Which model without effects predicts the validation tests better; the search's own one if both do alike."""
         declared, refit = (self.every_error[stage].validate for stage in ("declared", "refit"))
-        return "declared" if misleads(refit, declared) else "refit"
+        if misleads(refit, declared):
+            return "declared"
+        as_declared = self.found.declared is not self.found.base and not self.found.best.refits
+        return "declared" if as_declared and not misleads(declared, refit) else "refit"
 
     @cached_property
     def withheld(self) -> str:

@@ -20,8 +20,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
-import numpy as np
-
 from edesign.calibration.search.models import FittedModel, Fitter, Key
 from edesign.calibration.search.problem import Effect
 from edesign.calibration.search.settings import SETTINGS
@@ -379,7 +377,10 @@ def validated(fitter: Fitter, found: Kept, plain: float, validate: Validate) -> 
         several = range(len(model.effects) if len(model.effects) > 1 else 0)
         fewer = [_without(fitter, model, i) for i in several]
         if model.refits:
-            fewer.append(_as_declared(fitter, model))
+            as_declared = fitter.as_declared(model, STEPS)
+            if as_declared is None:
+                raise PredictionError("the model cannot be fitted beside the law as declared")
+            fewer.append(as_declared)
         if not fewer:  # where one effect alone is worse than none, all of them are withheld
             return found
         errors = [validate(one) for one in fewer]
@@ -409,21 +410,6 @@ def _about_zero(model: FittedModel, index: int) -> tuple[float, float] | None:
     size = model.places(index)
     low, high = uncertainty(model.fit, model.noise, size_of=size).interval(size[0])
     return (low, high) if low <= 0.0 <= high else None
-
-
-def _as_declared(fitter: Fitter, model: FittedModel) -> FittedModel:
-    """Return a model with its base as declared, the effects fitted again.
-
-    Raises:
-        PredictionError: it cannot be fitted.
-    """
-    held = model.places(0).start
-    declared = [one.centre for one in model.fit.model.parameters[:held]]
-    values = np.append(declared, model.fit.values[held:])
-    found = fitter.fit(model.effects, values, model.noise, STEPS, held)
-    if found is None:
-        raise PredictionError("the model cannot be fitted beside the law as declared")
-    return fitter.reweighted(found)
 
 
 def _width(one: Dropped) -> tuple[float, int]:

@@ -290,6 +290,13 @@ class Fitter:
             found = self.fit(model.effects, model.fit, model.noise) or model
         return found
 
+    def as_declared(self, model: FittedModel, steps: int = _STEPS) -> FittedModel | None:
+        """Return a model with the base as declared, its effects fitted again; None: it cannot predict so."""
+        held = model.places(0).start
+        declared = [one.centre for one in model.fit.model.parameters[:held]]
+        found = self.fit(model.effects, np.append(declared, model.fit.values[held:]), model.noise, steps, held)
+        return None if found is None else self.reweighted(found)
+
     def score(self, model: FittedModel, noise: Noise, beside: FittedModel | None = None, sure: bool = True) -> Score:
         """Return the score of a model.
 

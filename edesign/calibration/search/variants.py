@@ -27,12 +27,7 @@ class Variants:
 
     def as_declared(self, model: FittedModel) -> FittedModel | None:
         """Return a model with the base as declared, its effects fitted again; None: it cannot predict so."""
-        if not model.effects:
-            return self._declared
-        held = self._declared.fit.held
-        values = np.append(self._declared.fit.values, model.fit.values[held:])
-        found = self._fitter.fit(model.effects, values, model.noise, held=held)
-        return None if found is None else self._fitter.reweighted(found)
+        return self._fitter.as_declared(model) if model.effects else self._declared
 
     def otherwise_based(self, model: FittedModel) -> list[FittedModel]:
         """Return a model without effects with the other base, one as declared with the base fitted too, else none."""

@@ -189,3 +189,15 @@ def test_the_worst_part_is_that_farthest_over_its_own_floor() -> None:
     found = worst_of(parts)
     assert found is not None and (found.name, found.times) == ("many", pytest.approx(2.6))
     assert worst_of(parts[:2]) is None
+
+
+@pytest.mark.parametrize(("declared", "kept"), [(1.0, True), (1.2, False)], ids=["true", "20 % off"])
+def test_a_law_is_kept_as_declared_where_the_tests_ask_for_no_change(tmp_path: Path, declared: float, kept: bool):
+    tests = campaign(tmp_path, lawful, tests=5)
+    assert tests.law is not None
+    stated = {"k": f"{declared * K} N/m", "c": f"{declared * C} N*s/m"}
+    found = calibrate(replace(tests, law=replace(tests.law, parameters=stated)), threads=1)
+    assert (found.verdict, found.effects, found.as_declared) == ("none", (), kept)
+    assert found.law_file.stage == ("declared" if kept else "refit") and found.models[0].refit is not kept
+    low, high = found.parameters["corrected"]["k"].interval
+    assert low <= K <= high and low < high
