@@ -42,9 +42,9 @@ def slides(u: np.ndarray, v: np.ndarray, gone: float) -> np.ndarray:
 
 
 def fades(u: np.ndarray, v: np.ndarray, gone: float) -> np.ndarray:
-    """The virgin damper is 40 % stronger; that goes by Kohlrausch's function of the path, power 0.45."""
+    """The damper loses 30 % of its force; that goes by Kohlrausch's function of the path, power 0.45."""
     path = gone + np.concatenate(([0.0], np.cumsum(np.abs(np.diff(u)))))
-    return (1.0 + 0.4 * np.exp(-((path / 400.0) ** 0.45))) * law(u, v)
+    return (0.7 + 0.3 * np.exp(-((path / 400.0) ** 0.45))) * law(u, v)
 
 
 def touches(u: np.ndarray, v: np.ndarray, gone: float) -> np.ndarray:
@@ -114,7 +114,7 @@ def calibrated(
     ("force", "name", "sizes"),
     [
         (slides, "friction", {"F_c": (3e3, 0.03), "x0": (0.5e-3, 0.1)}),
-        (fades, "mullins", {"m": (0.4, 0.05), "s0": (0.4, 0.1), "q": (0.45, 0.05)}),
+        (fades, "degradation", {"d": (0.3, 0.05), "s0": (0.4, 0.1), "q": (0.45, 0.05)}),
         (touches, "hardening", {"u0": (5e-3, 0.1), "n": (1.5, 0.1)}),
         (limited, "limit", {"s": (1.0, 0.02), "F_l": (30e3, 0.01)}),
         (limited_to_one_side, "limit", {"s": (0.75, 0.03), "F_l": (30e3, 0.01)}),

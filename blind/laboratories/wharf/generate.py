@@ -25,12 +25,12 @@ def make(folder: Path, seed: int, number: int, only: Sequence[str] = (), motion:
         motion: not used here: three in ten campaigns have tests in motion.
 
     Returns:
-        Folders of the campaigns.
+        Folders of the campaigns that were not there before.
     """
     made = []
     for i in range(1, number + 1):
         category = CATEGORIES[(i - 1) % len(CATEGORIES)]
-        if only and category not in only:
+        if (only and category not in only) or (Path(folder) / f"{i:03d}_{category}.truth.json").exists():
             continue
         campaign = draw(category, np.random.default_rng([seed, i, STREAM]))
         made.append(write(campaign, Path(folder) / f"{i:03d}_{category}", seed))

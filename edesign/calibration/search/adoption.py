@@ -340,7 +340,7 @@ def kept(fitter: Fitter, model: FittedModel) -> Kept:
             return Kept(model, tuple(dropped))
         widest = max(every, key=_width)
         dropped.append(widest)
-        model = _without(fitter, model, widest.index)
+        model = _without(fitter, model, widest.index, model.fit.held)
 
 
 def placed(model: FittedModel, validate: Validate) -> FittedModel:
@@ -361,10 +361,11 @@ def placed(model: FittedModel, validate: Validate) -> FittedModel:
 
 
 def validated(fitter: Fitter, found: Kept, plain: float, validate: Validate) -> Kept:
-    """Return a model without the changes by which validation tests are predicted worse than by the law alone.
+    """Return a model without the changes by which validation tests are predicted worse than without them.
 
-    Where all changes together do that, the one is dropped without which these tests are predicted best, and so on: an
-    effect, or the change of the law. No effect comes in by the validation tests.
+    As long as the law alone, or the model without one of its changes, predicts these tests better, that change is
+    dropped without which they are predicted best: an effect, or the change of the law. No effect comes in by the
+    validation tests.
 
     Args:
         found: a model of which no effect may be nothing.
@@ -373,22 +374,22 @@ def validated(fitter: Fitter, found: Kept, plain: float, validate: Validate) -> 
     """
     model, dropped = found.model, list(found.dropped)
     error = validate(model)
-    while misleads(error, plain):
+    while True:
         several = range(len(model.effects) if len(model.effects) > 1 else 0)
-        fewer = [_without(fitter, model, i) for i in several]
-        if model.refits:
+        fewer = [(i, _without(fitter, model, i, held)) for i in several for held in {model.fit.held, 0}]
+        if model.effects and model.refits:
             as_declared = fitter.as_declared(model, STEPS)
             if as_declared is None:
                 raise PredictionError("the model cannot be fitted beside the law as declared")
-            fewer.append(as_declared)
-        if not fewer:  # where one effect alone is worse than none, all of them are withheld
-            return found
-        errors = [validate(one) for one in fewer]
-        index = min(range(len(errors)), key=lambda i: (math.isnan(errors[i]), errors[i]))
-        if index in several:
-            dropped.append(Dropped(model, index, None, error, errors[index]))
-        model, error = fewer[index], errors[index]
-    return Kept(model, tuple(dropped))
+            fewer.append((-1, as_declared))
+        each = [(validate(one), index, one) for index, one in fewer]
+        least = min(each, key=lambda one: (math.isnan(one[0]), one[0]), default=None)
+        # where one effect alone is worse than none, all of them are withheld
+        if least is None or not misleads(error, min(plain, least[0])):
+            return Kept(model, tuple(dropped))
+        if least[1] >= 0:
+            dropped.append(Dropped(model, least[1], None, error, least[0]))
+        error, _, model = least
 
 
 def misleads(corrected: float, plain: float) -> bool:
@@ -417,14 +418,16 @@ def _width(one: Dropped) -> tuple[float, int]:
     return one.interval[1] - one.interval[0], one.index
 
 
-def _without(fitter: Fitter, model: FittedModel, index: int) -> FittedModel:
+def _without(fitter: Fitter, model: FittedModel, index: int, held: int) -> FittedModel:
     """Return a model without an effect, fitted again.
+
+    Args:
+        held: number of parameters of the base that are kept as declared.
 
     Raises:
         PredictionError: it cannot be fitted.
     """
     others, values = model.without(index)
-    held = model.fit.held
     fewer = fitter.fit(others, values, model.noise, STEPS, held)
     if fewer is None:
         raise PredictionError(f"the model cannot be fitted without {model.effects[index].label}")

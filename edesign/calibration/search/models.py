@@ -130,7 +130,12 @@ class FittedModel:
     @property
     def refits(self) -> bool:
         """Whether the base is fitted: it has parameters, and they are not held as declared."""
-        return self.places(0).start > self.fit.held if self.effects else self.fit.z.size > self.fit.held
+        return self.of_base > self.fit.held
+
+    @property
+    def of_base(self) -> int:
+        """How many parameters the base has."""
+        return self.fit.z.size - sum(len(effect.parameters) for effect in self.effects)
 
     @cached_property
     def left(self) -> tuple[np.ndarray, ...]:
@@ -292,7 +297,7 @@ class Fitter:
 
     def as_declared(self, model: FittedModel, steps: int = _STEPS) -> FittedModel | None:
         """Return a model with the base as declared, its effects fitted again; None: it cannot predict so."""
-        held = model.places(0).start
+        held = model.of_base
         declared = [one.centre for one in model.fit.model.parameters[:held]]
         found = self.fit(model.effects, np.append(declared, model.fit.values[held:]), model.noise, steps, held)
         return None if found is None else self.reweighted(found)
@@ -335,7 +340,7 @@ class Fitter:
         key = id(other), shared
         if key not in self._commons:
             places = [i for k, effect in enumerate(other.effects) if effect in shared for i in other.places(k)]
-            index = [*range(other.places(0).start), *places]
+            index = [*range(other.of_base), *places]
             (predicted,) = self.predict(shared, other.fit.values[np.newaxis, index])
             if isinstance(predicted, PredictionError):
                 return other
@@ -474,8 +479,7 @@ class Fitter:
 
     def in_order(self, model: FittedModel, order: Sequence[int]) -> FittedModel:
         """Return a model with its effects in another order."""
-        base = model.fit.z.size - sum(len(effect.parameters) for effect in model.effects)
-        index = [*range(base), *(i for k in order for i in model.places(k))]
+        index = [*range(model.of_base), *(i for k in order for i in model.places(k))]
         effects = tuple(model.effects[k] for k in order)
         moved = replace(
             model.fit,

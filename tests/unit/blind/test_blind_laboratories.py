@@ -25,6 +25,7 @@ FIRST_CLEAN = {
     "harbour": (3, "clean_H", 186.82, 104.951441),
     "polytechnic": (3, "clean_H", 873.433279, 496.366499),
     "proving": (5, "clean_H", 324.4074, 251.445747),
+    "wharf": (1, "clean_F", 39.795045, 13.5172222),
 }
 """Number, category, and peak and root mean square of the force of the first test in kN, as each program of the others
 wrote it before it came here."""
@@ -162,9 +163,10 @@ def test_edesign_reads_what_a_laboratory_writes(laboratory: str, tmp_path: Path)
     if laboratory != "foundry":
         pytest.importorskip("numba", reason="make laboratories installs it")
     program = import_module(f"blind.laboratories.{laboratory}.generate")
-    # the foundry draws laws whatever the group
-    assert set(program.SHARES) in (set(CATEGORIES), {category.split("_")[0] for category in CATEGORIES})
-    assert sum(program.SHARES.values()) == 100
+    if laboratory != "wharf":  # it makes one of each category in turn
+        # the foundry draws laws whatever the group
+        assert set(program.SHARES) in (set(CATEGORIES), {category.split("_")[0] for category in CATEGORIES})
+        assert sum(program.SHARES.values()) == 100
     number, category, peak, rms = FIRST_CLEAN[laboratory]
     program.make(tmp_path, 1, number, (category,))
     (made,) = campaigns(tmp_path, number)
