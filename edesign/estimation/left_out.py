@@ -192,6 +192,10 @@ def _student(quadratic: float, scale: float, nu: float, n: float) -> float:
     return shape - 0.5 * n * math.log(0.5 * nu * scale) - 0.5 * (nu + n) * math.log1p(quadratic / (nu * scale))
 
 
+LEAST = 4.0
+"""Difference of log densities below which it is small whatever its error (Sivula, Magnusson and Vehtari 2020)."""
+
+
 @dataclass(frozen=True)
 class Difference:
     """By how much one model predicts tests better than another.
@@ -204,9 +208,10 @@ class Difference:
     total: float
     error: float
 
-
-LEAST = 4.0
-"""Difference of log densities below which it is small whatever its error (Sivula, Magnusson and Vehtari 2020)."""
+    @property
+    def sure(self) -> bool:
+        """Whether one model is significantly better than the other: the rule of adoption."""
+        return self.total > max(LEAST, 2.0 * self.error)
 
 
 def difference(better: Score, worse: Score) -> Difference:

@@ -11,7 +11,6 @@ from types import MappingProxyType
 import numpy as np
 
 from edesign.calibration.results.result import ComparedModel
-from edesign.calibration.search.adoption import sure
 from edesign.calibration.search.models import FittedModel, Fitter, Key
 from edesign.calibration.search.problem import Effect
 from edesign.calibration.search.search import Found
@@ -129,12 +128,12 @@ class Posterior:
         for i, model in enumerate(self.models):
             others = sorted((one for one in model.effects if one.name not in self.best.names), key=lambda one: one.name)
             no_more = len(model.effects) <= len(self.best.effects)
-            if name not in model.names and others and no_more and self.odds(i) >= LEAST and not sure(self.behind(i)):
+            if name not in model.names and others and no_more and self.odds(i) >= LEAST and not self.behind(i).sure:
                 yield i, others
 
     def rivals(self) -> tuple[int, ...]:
         """Indices of the probable models with other effects than the best one, which is the first."""
-        far = [self.odds(i) < LEAST or sure(self.behind(i)) for i in range(len(self.models))]
+        far = [self.odds(i) < LEAST or self.behind(i).sure for i in range(len(self.models))]
         return (0, *(i for i, m in enumerate(self.models) if m.names != self.best.names and not far[i]))
 
     def compared(self) -> tuple[ComparedModel, ...]:

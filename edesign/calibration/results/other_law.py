@@ -16,7 +16,6 @@ from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.results.fit import unbounded
 from edesign.calibration.results.predictions import errors_of, predicted
 from edesign.calibration.results.result import OtherLaw
-from edesign.calibration.search.adoption import sure
 from edesign.calibration.search.models import FittedModel
 from edesign.calibration.search.settings import SearchSettings
 from edesign.damper.fitting.loading import prepare, scales_of
@@ -167,7 +166,7 @@ def _better(base: FittedModel, best: FittedModel, rivals: Sequence[_Rival], of_b
             continue
         ahead = difference(own, score(base.fit, noise, refits=True))
         behind = difference(score(best.fit, noise, refits=True), own)
-        if not sure(ahead) or sure(behind) or (found is not None and found.gain >= ahead.total):
+        if not ahead.sure or behind.sure or (found is not None and found.gain >= ahead.total):
             continue
         try:
             errors = errors_of(rival.problem, predicted(rival.problem, (), rival.fit.values))

@@ -36,15 +36,6 @@ Validate = Callable[[FittedModel], float]
 """NRMS of the validation tests by a model; nan or infinite: it cannot predict them."""
 
 
-def sure(difference: Difference) -> bool:
-    """Return whether one model is significantly better than another: the rule of adoption.
-
-    Args:
-        difference: of their log densities of tests left out, with its error.
-    """
-    return difference.total > max(LEAST, 2.0 * difference.error)
-
-
 _NEAR = ("instrument", "rig", "damper", "structure")
 """Kinds of effects: of those that predict alike a fault of an instrument comes before new physics."""
 
@@ -126,7 +117,7 @@ class Adoption:
             if not simpler:
                 simpler, explained = self._needless(model, known)
             if not simpler and model.refits and (one := self._variants.as_declared(model)) is not None:
-                if not sure(fitter.compare(model, one)):
+                if not fitter.compare(model, one).sure:
                     self.refused.setdefault(model.key, Refusal("law"))
                     simpler.append(one)
             if not simpler:
@@ -155,7 +146,7 @@ class Adoption:
                 explained.append(math.inf)
                 continue
             noise = fitter.noise(model, one)
-            if sure(fitter.difference(model, one, noise, one)) and one is not known:
+            if fitter.difference(model, one, noise, one).sure and one is not known:
                 one = fitter.reweighted(self._variants.with_best_forms(one, noise, True))
                 noise = fitter.noise(model, one)
             explained.append(one.nrms - model.nrms)
@@ -185,7 +176,7 @@ class Adoption:
             return "small"
         if explained <= fitter.problem.input_noise:
             return "motion_noise"
-        if not sure(fitter.difference(model, rest, noise, rest)):
+        if not fitter.difference(model, rest, noise, rest).sure:
             return "not_needed"
         return None if self._identified_in(model, index, rest, noise) else "alike"
 
@@ -213,7 +204,7 @@ class Adoption:
         if rest.nrms - model.nrms > self._errors(model, [i for i in range(len(model.effects)) if i != index]):
             return True
         others = self._variants.in_place(model.effects[index], rest)
-        return all(sure(self._fitter.difference(model, one, noise, rest)) for one in others)
+        return all(self._fitter.difference(model, one, noise, rest).sure for one in others)
 
     def _identified_among(
         self, models: Sequence[FittedModel], model: FittedModel, known: FittedModel, noise: Noise
@@ -225,7 +216,7 @@ class Adoption:
         if known.nrms - model.nrms > self._errors(known, range(len(known.effects))):
             return True
         others = [one for one in models if not (one.changes <= model.changes or one.changes >= model.changes)]
-        return all(sure(self._fitter.difference(model, one, noise, known)) for one in others)
+        return all(self._fitter.difference(model, one, noise, known).sure for one in others)
 
     def _errors(self, model: FittedModel, effects: Sequence[int]) -> float:
         """Return the share of the power of what was measured by which equations of effects may be wrong."""
@@ -243,7 +234,7 @@ class Adoption:
         fitter, passed = self._fitter, list[tuple[float, FittedModel]]()
         for one in tried:
             most = max((total for total, _ in passed), default=-math.inf)
-            if not sure(one.difference) or one.difference.total <= most - LEAST:
+            if not one.difference.sure or one.difference.total <= most - LEAST:
                 continue
             noise = fitter.noise(one.model, known)
             if not self._identified_among([each.model for each in tried], one.model, known, noise):
@@ -273,7 +264,7 @@ class Adoption:
         one, fitter = tried.model, self._fitter
 
         def ahead(model: FittedModel, difference: Difference) -> bool:
-            return sure(difference) or (plainness(model) < plainness(best) and difference.total > -LEAST)
+            return difference.sure or (plainness(model) < plainness(best) and difference.total > -LEAST)
 
         if not ahead(one, tried.difference) or one.key in self.refused:
             return None

@@ -9,7 +9,7 @@ from typing import Literal
 
 import numpy as np
 
-from edesign.calibration.search.adoption import Adoption, Refusal, Tried, sure
+from edesign.calibration.search.adoption import Adoption, Refusal, Tried
 from edesign.calibration.search.models import EffortSpentError, FittedModel, Fitter, Key, Start
 from edesign.calibration.search.problem import Problem
 from edesign.calibration.search.screening import Screening, screen
@@ -79,7 +79,7 @@ class Search:
         """Search until the next depth, fully searched, passes no gate, or until the effort is spent."""
         with self._fitter.effort.on("the model alone"):
             declared, base = self._roots()
-            needed = base is declared or sure(self._fitter.compare(base, declared))
+            needed = base is declared or self._fitter.compare(base, declared).sure
         self._depths, self._models = list[Depth](), dict[Key, FittedModel]()
         self._children, self._leaders = list[FittedModel](), list[FittedModel]()
         self._variants = Variants(self._fitter, declared, base)

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from curve_problem import CUBIC, DRAG, DRY, EFFECTS, FIFTH, GAIN, OWN, SIGNED, CurveProblem, effect
 
-from edesign.calibration.search.adoption import sure
 from edesign.calibration.search.models import Fitter
 from edesign.calibration.search.search import Found, Search
 from edesign.calibration.search.settings import SearchSettings
@@ -108,5 +107,5 @@ def test_effects_that_tests_cannot_separate_are_rivals() -> None:
     like = effect("bulge", "cubic", lambda p, i, u, v: p[0] * (u**3 + 0.02 * u**5))
     result = found(CurveProblem(effects=(*EFFECTS, like), truth=((CUBIC, (0.2,)),)))
     fitter = Fitter(result.base.problem, SearchSettings())
-    rivals = [one.names for one in result.models if one.effects and not sure(fitter.compare(result.best, one))]
+    rivals = [one.names for one in result.models if one.effects and not fitter.compare(result.best, one).sure]
     assert {"hardening"} in rivals and {"bulge"} in rivals and {"drag"} not in rivals

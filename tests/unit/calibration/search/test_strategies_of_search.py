@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from curve_problem import DRAG, OWN, Change, CurveProblem, effect
 
-from edesign.calibration.search.adoption import Adoption, sure
+from edesign.calibration.search.adoption import Adoption
 from edesign.calibration.search.models import Fitter
 from edesign.calibration.search.problem import Effect
 from edesign.calibration.search.search import Found, Search
@@ -86,7 +86,7 @@ def test_the_best_model_may_be_unsure_and_another_one_sure() -> None:
     problem = CurveProblem(effects=(same, small), truth=((varies, (1.0,)), (small, (0.1,))))
     result = found(problem)
     first, *others = result.depths[0].tried
-    assert "same" in first.model.names and not sure(first.difference)
+    assert "same" in first.model.names and not first.difference.sure
     assert result.best.names == {"small"} and "small.x" in [one.model.label for one in others]
 
 
