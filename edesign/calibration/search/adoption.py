@@ -203,7 +203,7 @@ class Adoption:
         """
         if rest.nrms - model.nrms > self._errors(model, [i for i in range(len(model.effects)) if i != index]):
             return True
-        others = self._variants.in_place(model.effects[index], rest)
+        others = self._variants.in_place(model.effects[index], rest, model)
         return all(self._fitter.difference(model, one, noise, rest).sure for one in others)
 
     def _identified_among(

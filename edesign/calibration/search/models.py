@@ -203,6 +203,8 @@ class Fitter:
         self._scores: dict[tuple[int, Noise, int, bool], tuple[FittedModel, object, Score]] = {}
         self._outliers: dict[tuple[int, int, int], tuple[FittedModel, FittedModel | None, Outlier | None]] = {}
         self._discrepancies: dict[int, tuple[FittedModel, Columns | None]] = {}
+        self._equations: dict[tuple[tuple[str, ...], int], np.ndarray] = {}
+        self._reweighted: dict[int, tuple[FittedModel, FittedModel]] = {}
         self._commons: dict[tuple[int, tuple[Effect, ...]], tuple[FittedModel, FittedModel]] = {}
 
     def predict(self, effects: Sequence[Effect], values: np.ndarray) -> list[Sequence[np.ndarray] | PredictionError]:
@@ -282,7 +284,12 @@ class Fitter:
         return FittedModel(self.problem, effects, found)
 
     def reweighted(self, model: FittedModel) -> FittedModel:
-        """Fit again under the noise that the fit leaves, until that noise is known."""
+        """Fit again under the noise that the fit leaves, until that noise is known; what was asked for is kept."""
+        if id(model) not in self._reweighted:
+            self._reweighted[id(model)] = model, self._until_settled(model)
+        return self._reweighted[id(model)][1]
+
+    def _until_settled(self, model: FittedModel) -> FittedModel:
         start, slopes = model.fit.z, model.fit.slopes
         of = model.fit.model
         held = model.fit.held
@@ -302,35 +309,41 @@ class Fitter:
         found = self.fit(model.effects, np.append(declared, model.fit.values[held:]), model.noise, steps, held)
         return None if found is None else self.reweighted(found)
 
-    def score(self, model: FittedModel, noise: Noise, beside: FittedModel | None = None, sure: bool = True) -> Score:
+    def score(
+        self, model: FittedModel, noise: Noise, beside: FittedModel | None = None, roughly: bool = False
+    ) -> Score:
         """Return the score of a model.
 
         Args:
             noise: that all models compared share.
             beside: a model whose equations may be wrong, which is allowed for; None: none.
-            sure: whether the model is fitted again without a test that moves it far.
+            roughly: whether the model is not fitted again without a test that moves it far.
         """
         wrong = None if beside is None else self.discrepancy(beside)
-        key = id(model), noise, id(wrong), sure
+        key = id(model), noise, id(wrong), roughly
         if key not in self._scores:
             log_prior = sum(effect.log_prior for effect in model.effects)
-            found = replace(score(model.fit, noise, wrong, refits=sure), log_prior=log_prior)
+            found = replace(score(model.fit, noise, wrong, refits=not roughly), log_prior=log_prior)
             self.effort.spend(found.evaluations, model.effects)
             self._scores[key] = model, wrong, found
         return self._scores[key][2]
 
-    def compare(self, one: FittedModel, other: FittedModel) -> Difference:
+    def compare(self, one: FittedModel, other: FittedModel, roughly: bool = False) -> Difference:
         """Return by how much one model predicts tests better than another.
 
         They are compared under the noise of the one that leaves less, beside what both have: the equations of their
         common effects, as the one that leaves more has them, may be wrong. So the difference is the same both ways. Of
         models with the same effects nothing stands beside what differs, and no such error may explain it.
+
+        Args:
+            roughly: whether neither is fitted again without a test that moves it far.
         """
         less, more = sorted((one, other), key=lambda each: float(np.mean(np.log(each.noise.long_run))))
         if one.names == other.names:
-            return difference(self.score(one, less.noise), self.score(other, less.noise))
+            both = (self.score(each, less.noise, roughly=roughly) for each in (one, other))
+            return difference(*both)
         common = self._common(less, more)
-        return self.difference(one, other, self.noise(less, common), common)
+        return self.difference(one, other, self.noise(less, common), common, roughly)
 
     def _common(self, one: FittedModel, other: FittedModel) -> FittedModel:
         """Return a model with the effects that two models share by name, as the second one has them; not fitted."""
@@ -349,14 +362,17 @@ class Fitter:
             self._commons[key] = other, FittedModel(self.problem, shared, found)
         return self._commons[key][1]
 
-    def difference(self, better: FittedModel, worse: FittedModel, noise: Noise, known: FittedModel) -> Difference:
+    def difference(
+        self, better: FittedModel, worse: FittedModel, noise: Noise, known: FittedModel, roughly: bool = False
+    ) -> Difference:
         """Return by how much one model predicts tests better than another.
 
         Args:
             noise: by which they are compared.
             known: model whose equations may be wrong, which is allowed for.
+            roughly: whether neither is fitted again without a test that moves it far.
         """
-        return difference(self.score(better, noise, known), self.score(worse, noise, known))
+        return difference(self.score(better, noise, known, roughly), self.score(worse, noise, known, roughly))
 
     def outlier(self, model: FittedModel, faulty: FittedModel | None = None, index: int = -1) -> Outlier | None:
         """Return the test that agrees least with the others beside a model; None: there are too few.
@@ -435,17 +451,18 @@ class Fitter:
     def discrepancy_of(self, model: FittedModel, index: int) -> np.ndarray:
         """Return what other equations of an effect do in its place (n, k), as principal components.
 
-        Their size is the share `shared_discrepancy` of what the effect does.
+        Their size is the share `shared_discrepancy` of what the effect does. Their shape is that beside the first model
+        with these effects: where the others are near is known before it is fitted to the end.
         """
-        change = np.concatenate(model.contribution(index))
-        every = self.alternatives(model, index, np.ones(len(model.left)), here=True)
-        found = [one / np.linalg.norm(one) for _, _, one in every]
-        size = self.settings.shared_discrepancy * float(np.linalg.norm(change))
-        if not found or not size:
-            return np.zeros((change.size, 0))
-        u, s, _ = np.linalg.svd(np.column_stack(found), full_matrices=False)
-        keep = s > _NEGLIGIBLE * s[0]
-        return np.asarray(size * u[:, keep] * (s[keep] / np.sqrt(np.sum(s**2))))
+        key = tuple(effect.label for effect in model.effects), index
+        if key not in self._equations:
+            every = self.alternatives(model, index, np.ones(len(model.left)), here=True)
+            found = [one / np.linalg.norm(one) for _, _, one in every] or [np.zeros(np.concatenate(model.left).size)]
+            u, s, _ = np.linalg.svd(np.column_stack(found), full_matrices=False)
+            keep = s > _NEGLIGIBLE * s[0]
+            self._equations[key] = u[:, keep] * (s[keep] / np.sqrt(np.sum(s**2)))
+        size = self.settings.shared_discrepancy * float(np.linalg.norm(np.concatenate(model.contribution(index))))
+        return size * self._equations[key]
 
     def alternatives(
         self, model: FittedModel, index: int, weights: Sequence[float] | np.ndarray, here: bool = False

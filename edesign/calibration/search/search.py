@@ -134,7 +134,7 @@ class Search:
             self._progress(f"trying others in the place of {effect.label}")
             with fitter.effort.on("others in the place of an effect"):
                 rest = self._variants.refitted_without(best, index)
-                for one in () if rest is None else self._variants.in_place(effect, rest):
+                for one in () if rest is None else self._variants.in_place(effect, rest, best):
                     self._note(one)
         with fitter.effort.on("gates of adoption"):
             return self._overtaken()
@@ -155,7 +155,7 @@ class Search:
         fitter = self._fitter
         before = fitter.fitted
         with fitter.effort.on("screening"):
-            screening = screen(fitter, best, best)
+            screening = self._variants.screened(best)
         noise = screening.noise
         with fitter.effort.on("rough fits"):
             self._try(best, screening, noise)
@@ -165,15 +165,29 @@ class Search:
                 if not best.effects:
                     beside = screen(fitter, other, other, noise).better_than(screening.alone)
                     self._try(other, beside, noise)
-        with fitter.effort.on("fits to the end"):
-            for one in self._beam(self._children, noise):
-                fitted = fitter.reweighted(self._variants.with_best_forms(one, noise, True))
-                self._leaders.append(self._note(fitted))
-        with fitter.effort.on("gates of adoption"):
-            tried, adopted = self._judged(best)
+        rest = self._beam((best, *self._children), noise)
+        tried, adopted = tuple[Tried, ...](), None
+        while rest and adopted is None:
+            with fitter.effort.on("fits to the end"):
+                first, behind = self._finished(rest[0], noise), list[FittedModel]()
+                for one in rest[1:]:
+                    if fitter.compare(first, one, roughly=True).sure:
+                        behind.append(one)
+                    else:
+                        self._finished(one, noise)
+            with fitter.effort.on("gates of adoption"):
+                tried, adopted = self._judged(best)
+            # what is surely behind a model that is not surely better is no better either
+            rest = behind if any(one.difference.sure for one in tried) else []
         self._children, self._leaders = [], []
         self._depths.append(Depth(best, screening, fitter.fitted - before, tried, adopted))
         return adopted
+
+    def _finished(self, model: FittedModel, noise: Noise) -> FittedModel:
+        """Fit a model to the end, with the equations that predict best, and note it among the leaders of the depth."""
+        found = self._note(self._fitter.reweighted(self._variants.with_best_forms(model, noise, True)))
+        self._leaders.append(found)
+        return found
 
     def _judged(self, best: FittedModel) -> tuple[tuple[Tried, ...], FittedModel | None]:
         """Return the leaders of a depth compared with the best model, and what is adopted of them."""
@@ -194,8 +208,8 @@ class Search:
         self._progress("the effort is spent: judging what is fitted so far")
         with suppress(EffortSpentError), fitter.effort.on("after the effort was spent"):
             if not self._leaders and self._children:
-                (first, *_) = self._beam(self._children, self._best.noise)
-                self._leaders.append(self._note(fitter.reweighted(first)))
+                for first in self._beam((self._best, *self._children), self._best.noise)[:1]:
+                    self._leaders.append(self._note(fitter.reweighted(first)))
             _, adopted = self._judged(self._best)
             if adopted is not None:
                 self._best = self._adoption.take(adopted)
@@ -216,13 +230,17 @@ class Search:
                 self._children.append(fitter.rough(grown, noise))
 
     def _beam(self, models: Sequence[FittedModel], noise: Noise) -> list[FittedModel]:
-        """Return the best models of different effects, none with an effect that it does not need."""
+        """Return the best models of different effects, none with an effect that it does not need.
+
+        Args:
+            models: the one beside which the others were found, and these.
+        """
 
         def total(one: FittedModel) -> float:
-            return self._fitter.score(one, noise, sure=False).total
+            return self._fitter.score(one, noise, roughly=True).total
 
         found: list[FittedModel] = []
-        for model in sorted(models, key=lambda one: -total(one)):
+        for model in sorted(models[1:], key=lambda one: -total(one)):
             simpler = [one for one in models if one.changes < model.changes]
             if any(one.names == model.names for one in found):
                 continue

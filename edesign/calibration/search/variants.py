@@ -8,7 +8,7 @@ import numpy as np
 
 from edesign.calibration.search.models import FittedModel, Fitter, Key, Start
 from edesign.calibration.search.problem import Effect
-from edesign.calibration.search.screening import screen
+from edesign.calibration.search.screening import Screening, screen
 from edesign.estimation.left_out import LEAST
 from edesign.estimation.noise import Noise
 
@@ -23,6 +23,7 @@ class Variants:
     def __init__(self, fitter: Fitter, declared: FittedModel, base: FittedModel) -> None:
         self._fitter, self._declared, self._base = fitter, declared, base
         self._beside = dict[Key, dict[str, FittedModel]]()
+        self._screened = dict[int, tuple[FittedModel, Screening]]()
         self._without = dict[tuple[int, int], tuple[FittedModel, FittedModel | None]]()
 
     def as_declared(self, model: FittedModel) -> FittedModel | None:
@@ -62,29 +63,37 @@ class Variants:
         found = self._fitter.fit(others, values, model.noise)
         return None if found is None else self._fitter.reweighted(found)
 
-    def in_place(self, effect: Effect, rest: FittedModel) -> list[FittedModel]:
+    def screened(self, model: FittedModel) -> Screening:
+        """Return the screening beside a model, whose equations may be wrong; it is kept."""
+        if id(model) not in self._screened:
+            self._screened[id(model)] = model, screen(self._fitter, model, model)
+        return self._screened[id(model)][1]
+
+    def in_place(self, effect: Effect, rest: FittedModel, model: FittedModel) -> list[FittedModel]:
         """Return models with another effect in the place of one, fitted: those that the screening puts first.
+
+        One that is surely behind after a few steps is not fitted to the end.
 
         Args:
             effect: that is replaced.
             rest: model without it.
+            model: with it.
         """
-        key = rest.key
+        fitter, key = self._fitter, rest.key
         if key not in self._beside:
             found: dict[str, FittedModel] = {}
-            screening = screen(self._fitter, rest, rest)
+            screening = self.screened(rest)
             for start, gain in screening.singles:
-                if gain <= 0.0 or len(found) > self._fitter.settings.others:
+                if gain <= 0.0 or len(found) > fitter.settings.others:
                     break
                 if start.effect.name in found:
                     continue
-                grown = self._fitter.extended(rest, [start], screening.noise)
+                grown = fitter.extended(rest, [start], screening.noise)
                 if grown is not None:
-                    rough = self._fitter.rough(grown, screening.noise)
-                    found[start.effect.name] = self._fitter.reweighted(rough)
+                    found[start.effect.name] = fitter.rough(grown, screening.noise)
             self._beside[key] = found
-        others = [one for name, one in self._beside[key].items() if name != effect.name]
-        return others[: self._fitter.settings.others]
+        others = [one for name, one in self._beside[key].items() if name != effect.name][: fitter.settings.others]
+        return [fitter.reweighted(one) for one in others if not fitter.compare(model, one, roughly=True).sure]
 
     def with_best_forms(self, model: FittedModel, noise: Noise, roughly: bool = False) -> FittedModel:
         """Return the model with that equation of each effect that predicts best.
@@ -115,19 +124,20 @@ class Variants:
                 placed = fitter.linearised((*others, start.effect), at, slopes, noise, model.fit.held)
                 if placed is not None:
                     rough.append(fitter.rough(placed, noise))
-            totals = [fitter.score(one, noise, sure=False).total for one in rough]
-            likely = [one for one, total in zip(rough, totals, strict=True) if total > max(totals) - LEAST]
+            own, *totals = [fitter.score(one, noise, roughly=True).total for one in (model, *rough)]
+            most = max(own, *totals, -np.inf) - LEAST
+            likely = [one for one, total in zip(rough, totals, strict=True) if total > most]
             if not roughly:
                 likely = [fitter.reweighted(one) for one in likely]
-            model = self._simplest([model, *(fitter.in_order(one, order) for one in likely)], noise, not roughly)
+            model = self._simplest([model, *(fitter.in_order(one, order) for one in likely)], noise, roughly)
         return model
 
-    def _simplest(self, models: Sequence[FittedModel], noise: Noise, sure: bool) -> FittedModel:
+    def _simplest(self, models: Sequence[FittedModel], noise: Noise, roughly: bool) -> FittedModel:
         """Return that of models as good as the best which has fewest parameters, none at a bound if possible.
 
         A form at a bound of a parameter is another form; that bound is no price of a parameter.
         """
-        totals = [self._fitter.score(one, noise, sure=sure).total for one in models]
+        totals = [self._fitter.score(one, noise, roughly=roughly).total for one in models]
         alike = [(one, total) for one, total in zip(models, totals, strict=True) if total > max(totals) - LEAST]
         return min(alike, key=lambda one: (np.sum(~one[0].fit.free), one[0].fit.z.size, -one[1]))[0]
 
