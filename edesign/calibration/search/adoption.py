@@ -147,7 +147,7 @@ class Adoption:
                 continue
             noise = fitter.noise(model, one)
             if fitter.difference(model, one, noise, one).sure and one is not known:
-                one = fitter.reweighted(self._variants.with_best_forms(one, noise, True))
+                one = self._variants.with_best_forms(one, noise)
                 noise = fitter.noise(model, one)
             explained.append(one.nrms - model.nrms)
             gate = self._gate(model, index, one, explained[-1], noise)
@@ -240,12 +240,11 @@ class Adoption:
             if not self._identified_among([each.model for each in tried], one.model, known, noise):
                 self.refused[one.model.key] = Refusal("alike")
                 continue
-            better = self._variants.with_best_forms(one.model, noise)
-            needed = self.pruned(better, known)
+            needed = self.pruned(one.model, known)
             if needed is not None and needed.changes not in self._taken:
                 passed.append((fitter.compare(needed, known).total, needed))
             if needed is None or needed.key != one.model.key:
-                self.refused.setdefault(one.model.key, self.refused.get(better.key, Refusal("given_up")))
+                self.refused.setdefault(one.model.key, Refusal("given_up"))
         most = max((total for total, _ in passed), default=-math.inf)
         return min((one for total, one in passed if total > most - LEAST), key=plainness, default=None)
 

@@ -185,7 +185,7 @@ class Search:
 
     def _finished(self, model: FittedModel, noise: Noise) -> FittedModel:
         """Fit a model to the end, with the equations that predict best, and note it among the leaders of the depth."""
-        found = self._note(self._fitter.reweighted(self._variants.with_best_forms(model, noise, True)))
+        found = self._note(self._variants.with_best_forms(model, noise))
         self._leaders.append(found)
         return found
 

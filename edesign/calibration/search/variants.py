@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
 from edesign.calibration.search.models import FittedModel, Fitter, Key, Start
@@ -23,6 +21,7 @@ class Variants:
     def __init__(self, fitter: Fitter, declared: FittedModel, base: FittedModel) -> None:
         self._fitter, self._declared, self._base = fitter, declared, base
         self._beside = dict[Key, dict[str, FittedModel]]()
+        self._formed = dict[int, tuple[FittedModel, FittedModel]]()
         self._screened = dict[int, tuple[FittedModel, Screening]]()
         self._without = dict[tuple[int, int], tuple[FittedModel, FittedModel | None]]()
 
@@ -95,14 +94,22 @@ class Variants:
         others = [one for name, one in self._beside[key].items() if name != effect.name][: fitter.settings.others]
         return [fitter.reweighted(one) for one in others if not fitter.compare(model, one, roughly=True).sure]
 
-    def with_best_forms(self, model: FittedModel, noise: Noise, roughly: bool = False) -> FittedModel:
-        """Return the model with that equation of each effect that predicts best.
+    def with_best_forms(self, model: FittedModel, noise: Noise) -> FittedModel:
+        """Return the model with that equation of each effect that predicts best, fitted to the end; it is kept.
+
+        Of equations as good as the best one that is taken which has fewest parameters, none at a bound if possible: a
+        form at a bound of a parameter is another form, and that bound is no price of a parameter.
 
         Args:
             noise: by which predictions are compared.
-            roughly: whether fewer equations are tried, and none is fitted to the end.
         """
-        fitter, settings = self._fitter, self._fitter.settings
+        if id(model) not in self._formed:
+            found = self._fitter.reweighted(self._with_best_forms(model, noise))
+            self._formed[id(model)] = self._formed[id(found)] = model, found
+        return self._formed[id(model)][1]
+
+    def _with_best_forms(self, model: FittedModel, noise: Noise) -> FittedModel:
+        fitter = self._fitter
         weights = [noise.weight(i) for i in range(len(model.fit.predicted))]
         for index in range(len(model.effects)):
             # what the effect does and should do
@@ -117,29 +124,16 @@ class Variants:
             others, kept = model.without(index)
             slopes = [np.delete(j, model.places(index), axis=1) for j in model.fit.slopes]
             order = [*range(index), len(others), *range(index, len(others))]
-            rough: list[FittedModel] = []
-            number = settings.forms if roughly else settings.others
-            for _, start in sorted(like.values(), key=lambda one: -one[0])[:number]:
+            models = [model]
+            for _, start in sorted(like.values(), key=lambda one: -one[0])[: fitter.settings.others]:
                 at = [kept, start.values]
                 placed = fitter.linearised((*others, start.effect), at, slopes, noise, model.fit.held)
                 if placed is not None:
-                    rough.append(fitter.rough(placed, noise))
-            own, *totals = [fitter.score(one, noise, roughly=True).total for one in (model, *rough)]
-            most = max(own, *totals, -np.inf) - LEAST
-            likely = [one for one, total in zip(rough, totals, strict=True) if total > most]
-            if not roughly:
-                likely = [fitter.reweighted(one) for one in likely]
-            model = self._simplest([model, *(fitter.in_order(one, order) for one in likely)], noise, roughly)
+                    models.append(fitter.in_order(fitter.rough(placed, noise), order))
+            totals = [fitter.score(one, noise, roughly=True).total for one in models]
+            alike = [(one, total) for one, total in zip(models, totals, strict=True) if total > max(totals) - LEAST]
+            model = min(alike, key=lambda one: (np.sum(~one[0].fit.free), one[0].fit.z.size, -one[1]))[0]
         return model
-
-    def _simplest(self, models: Sequence[FittedModel], noise: Noise, roughly: bool) -> FittedModel:
-        """Return that of models as good as the best which has fewest parameters, none at a bound if possible.
-
-        A form at a bound of a parameter is another form; that bound is no price of a parameter.
-        """
-        totals = [self._fitter.score(one, noise, roughly=roughly).total for one in models]
-        alike = [(one, total) for one, total in zip(models, totals, strict=True) if total > max(totals) - LEAST]
-        return min(alike, key=lambda one: (np.sum(~one[0].fit.free), one[0].fit.z.size, -one[1]))[0]
 
 
 def _scaled(start: np.ndarray, linear: bool, share: float) -> np.ndarray:
