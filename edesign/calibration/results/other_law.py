@@ -98,7 +98,7 @@ def other_law(
     problem: DamperProblem = base.problem  # type: ignore[assignment]
     loadings = prepare(campaign.used_for("fit"))
     observed = observe(loadings, scales_of(loadings))
-    of_best = unbounded(problem, settings).noise(best, best)
+    of_best = unbounded(problem, settings).noise(best.noise, best)
     for names in (RIVALS, SLOW_RIVALS):
         rivals = [r for name in names if name != problem.law.name and (r := _rival(base, observed, name))]
         found = _better(base, best, rivals, of_best)

@@ -123,7 +123,7 @@ class Adoption:
             if not simpler:
                 break
             # of two effects that do the same, the one stays that is something
-            noise = fitter.noise(model, known)
+            noise = fitter.noise(model.noise, known)
             model = min(simpler, key=lambda one: (len(self._idle(one)), -fitter.score(one, noise).total))
         # less than is known already is no step: the next depth would take it back
         if not model.effects or model.changes <= known.changes:
@@ -145,10 +145,10 @@ class Adoption:
             if one is None:
                 explained.append(math.inf)
                 continue
-            noise = fitter.noise(model, one)
+            noise = fitter.noise(model.noise, one)
             if fitter.difference(model, one, noise, one).sure and one is not known:
                 one = self._variants.with_best_forms(one, noise)
-                noise = fitter.noise(model, one)
+                noise = fitter.noise(model.noise, one)
             explained.append(one.nrms - model.nrms)
             gate = self._gate(model, index, one, explained[-1], noise)
             if gate is not None:
@@ -178,7 +178,11 @@ class Adoption:
             return "motion_noise"
         if not fitter.difference(model, rest, noise, rest).sure:
             return "not_needed"
-        return None if self._identified_in(model, index, rest, noise) else "alike"
+        # what explains less than the equations of the others may be wrong by is one of several, or such an error
+        if explained > self._errors(model, index):
+            return None
+        others = self._variants.in_place(model.effects[index], rest, model)
+        return None if self._beats(model, others, noise, rest) else "alike"
 
     def insignificant(self, model: FittedModel, index: int) -> bool:
         """Return whether the size of an effect may be nothing (95 %), or is at a bound, where it is another effect.
@@ -196,31 +200,14 @@ class Adoption:
         found = None if rest is None else self._fitter.outlier(rest, model, index)
         return rest is not None and not (found is not None and found.sure)
 
-    def _identified_in(self, model: FittedModel, index: int, rest: FittedModel, noise: Noise) -> bool:
-        """Return whether an effect is no error of the equations of the others.
-
-        It explains more than these may be wrong by, or no other effect predicts as well in its place.
-        """
-        if rest.nrms - model.nrms > self._errors(model, [i for i in range(len(model.effects)) if i != index]):
-            return True
-        others = self._variants.in_place(model.effects[index], rest, model)
-        return all(self._fitter.difference(model, one, noise, rest).sure for one in others)
-
-    def _identified_among(
-        self, models: Sequence[FittedModel], model: FittedModel, known: FittedModel, noise: Noise
-    ) -> bool:
-        """Return whether what a model adds is no error of the equations of known effects.
-
-        It explains more than these may be wrong by, or no model with other effects predicts as well.
-        """
-        if known.nrms - model.nrms > self._errors(known, range(len(known.effects))):
-            return True
-        others = [one for one in models if not (one.changes <= model.changes or one.changes >= model.changes)]
+    def _beats(self, model: FittedModel, others: Sequence[FittedModel], noise: Noise, known: FittedModel) -> bool:
+        """Return whether a model is surely better than each of those that have something else beside a known one."""
         return all(self._fitter.difference(model, one, noise, known).sure for one in others)
 
-    def _errors(self, model: FittedModel, effects: Sequence[int]) -> float:
-        """Return the share of the power of what was measured by which equations of effects may be wrong."""
-        return self._fitter.settings.own_discrepancy**2 * sum(model.size(i) ** 2 for i in effects)
+    def _errors(self, model: FittedModel, without: int = -1) -> float:
+        """Return the share of the power of what was measured by which equations of effects, but one, may be wrong."""
+        sizes = [model.size(i) for i in range(len(model.effects)) if i != without]
+        return self._fitter.settings.own_discrepancy**2 * sum(size**2 for size in sizes)
 
     def best_of(self, tried: Sequence[Tried], known: FittedModel) -> FittedModel | None:
         """Return the best of models that pass the rule, by what is needed of it; None: none passes.
@@ -236,8 +223,11 @@ class Adoption:
             most = max((total for total, _ in passed), default=-math.inf)
             if not one.difference.sure or one.difference.total <= most - LEAST:
                 continue
-            noise = fitter.noise(one.model, known)
-            if not self._identified_among([each.model for each in tried], one.model, known, noise):
+            noise = fitter.noise(one.model.noise, known)
+            changes, explained = one.model.changes, known.nrms - one.model.nrms
+            every = [each.model for each in tried]
+            others = [each for each in every if not (each.changes <= changes or each.changes >= changes)]
+            if explained <= self._errors(known) and not self._beats(one.model, others, noise, known):
                 self.refused[one.model.key] = Refusal("alike")
                 continue
             needed = self.pruned(one.model, known)
@@ -273,7 +263,7 @@ class Adoption:
             self.refused[one.key] = Refusal("leaves_more")
         else:
             base = self._variants.without_effects(one)
-            better = self._variants.with_best_forms(one, fitter.noise(one, base))
+            better = self._variants.with_best_forms(one, fitter.noise(one.noise, base))
             needed = self.pruned(better, base)
             if needed is not None and needed.changes not in self._taken and ahead(needed, fitter.compare(needed, best)):
                 return needed

@@ -167,6 +167,10 @@ class FittedModel:
         first = self.fit.z.size - sum(len(effect.parameters) for effect in self.effects[index:])
         return range(first, first + len(self.effects[index].parameters))
 
+    def indices_of(self, names: frozenset[str] | None) -> list[int]:
+        """Indices of the effects of these names; None: of all."""
+        return [i for i, effect in enumerate(self.effects) if names is None or effect.name in names]
+
     def without(self, index: int) -> tuple[tuple[Effect, ...], np.ndarray]:
         """Return the other effects, and the values of all other parameters, SI."""
         others = tuple(effect for i, effect in enumerate(self.effects) if i != index)
@@ -200,12 +204,11 @@ class Fitter:
         self.problem, self.settings = problem, settings
         self.effort = Effort(settings.effort)
         self.fitted = 0
-        self._scores: dict[tuple[int, Noise, int, bool], tuple[FittedModel, object, Score]] = {}
+        self._scores: dict[tuple[int, Noise, int, bool], tuple[FittedModel, Columns | None, Score]] = {}
         self._outliers: dict[tuple[int, int, int], tuple[FittedModel, FittedModel | None, Outlier | None]] = {}
-        self._discrepancies: dict[int, tuple[FittedModel, Columns | None]] = {}
+        self._discrepancies: dict[tuple[int, tuple[int, ...]], tuple[FittedModel, Columns | None]] = {}
         self._equations: dict[tuple[tuple[str, ...], int], np.ndarray] = {}
         self._reweighted: dict[int, tuple[FittedModel, FittedModel]] = {}
-        self._commons: dict[tuple[int, tuple[Effect, ...]], tuple[FittedModel, FittedModel]] = {}
 
     def predict(self, effects: Sequence[Effect], values: np.ndarray) -> list[Sequence[np.ndarray] | PredictionError]:
         """Return predictions (n_i,) of each test for each row of values, SI."""
@@ -309,17 +312,14 @@ class Fitter:
         found = self.fit(model.effects, np.append(declared, model.fit.values[held:]), model.noise, steps, held)
         return None if found is None else self.reweighted(found)
 
-    def score(
-        self, model: FittedModel, noise: Noise, beside: FittedModel | None = None, roughly: bool = False
-    ) -> Score:
+    def score(self, model: FittedModel, noise: Noise, wrong: Columns | None = None, roughly: bool = False) -> Score:
         """Return the score of a model.
 
         Args:
             noise: that all models compared share.
-            beside: a model whose equations may be wrong, which is allowed for; None: none.
+            wrong: what equations may be wrong by, which is allowed for; None: nothing.
             roughly: whether the model is not fitted again without a test that moves it far.
         """
-        wrong = None if beside is None else self.discrepancy(beside)
         key = id(model), noise, id(wrong), roughly
         if key not in self._scores:
             log_prior = sum(effect.log_prior for effect in model.effects)
@@ -334,45 +334,30 @@ class Fitter:
         They are compared under the noise of the one that leaves less, beside what both have: the equations of their
         common effects, as the one that leaves more has them, may be wrong. So the difference is the same both ways. Of
         models with the same effects nothing stands beside what differs, and no such error may explain it.
-
-        Args:
-            roughly: whether neither is fitted again without a test that moves it far.
         """
         less, more = sorted((one, other), key=lambda each: float(np.mean(np.log(each.noise.long_run))))
-        if one.names == other.names:
-            both = (self.score(each, less.noise, roughly=roughly) for each in (one, other))
-            return difference(*both)
-        common = self._common(less, more)
-        return self.difference(one, other, self.noise(less, common), common, roughly)
-
-    def _common(self, one: FittedModel, other: FittedModel) -> FittedModel:
-        """Return a model with the effects that two models share by name, as the second one has them; not fitted."""
-        shared = tuple(effect for effect in other.effects if effect.name in one.names)
-        if len(shared) == len(other.effects):
-            return other
-        key = id(other), shared
-        if key not in self._commons:
-            places = [i for k, effect in enumerate(other.effects) if effect in shared for i in other.places(k)]
-            index = [*range(other.of_base), *places]
-            (predicted,) = self.predict(shared, other.fit.values[np.newaxis, index])
-            if isinstance(predicted, PredictionError):
-                return other
-            nothing = tuple(np.zeros((f.size, len(index))) for f in predicted)
-            found = Fit(self.problem.model(shared), other.noise, other.fit.z[index], tuple(predicted), nothing, 0)
-            self._commons[key] = other, FittedModel(self.problem, shared, found)
-        return self._commons[key][1]
+        beside = frozenset() if one.names == other.names else one.names & other.names
+        return self.difference(one, other, self.noise(less.noise, more, beside), more, beside, roughly)
 
     def difference(
-        self, better: FittedModel, worse: FittedModel, noise: Noise, known: FittedModel, roughly: bool = False
+        self,
+        better: FittedModel,
+        worse: FittedModel,
+        noise: Noise,
+        known: FittedModel,
+        names: frozenset[str] | None = None,
+        roughly: bool = False,
     ) -> Difference:
         """Return by how much one model predicts tests better than another.
 
         Args:
             noise: by which they are compared.
             known: model whose equations may be wrong, which is allowed for.
+            names: of its effects of which that is so; None: all of them.
             roughly: whether neither is fitted again without a test that moves it far.
         """
-        return difference(self.score(better, noise, known, roughly), self.score(worse, noise, known, roughly))
+        wrong = self.discrepancy(known, names)
+        return difference(self.score(better, noise, wrong, roughly), self.score(worse, noise, wrong, roughly))
 
     def outlier(self, model: FittedModel, faulty: FittedModel | None = None, index: int = -1) -> Outlier | None:
         """Return the test that agrees least with the others beside a model; None: there are too few.
@@ -407,27 +392,18 @@ class Fitter:
         slopes = tuple(j * scale for j in model.fit.slopes)
         return replace(model.fit, model=self.problem.model(effects), z=z, slopes=slopes)
 
-    def noise(self, leader: FittedModel, known: FittedModel) -> Noise:
-        """Return the noise by which models are compared: what the leader leaves.
+    def noise(self, left: Noise, known: FittedModel, names: frozenset[str] | None = None) -> Noise:
+        """Return the noise by which models are compared.
 
         It is at least that of the channels with what the equations of known effects may be wrong by.
 
         Args:
-            leader: the best one of the models.
+            left: by the best one of the models.
+            known: model with these effects.
+            names: of them; None: all that it has.
         """
-        return self._at_least(leader.noise, known)
-
-    def noise_of(self, left: Sequence[np.ndarray], known: FittedModel) -> Noise:
-        """Return the noise by which models are compared, of what is left (n_i,) of each test.
-
-        Args:
-            left: by the best that is thought of.
-        """
-        return self._at_least(Noise.left_by(left, self.problem.deviations, self.problem.sizes), known)
-
-    def _at_least(self, left: Noise, known: FittedModel) -> Noise:
         wrong = np.array([self.problem.deviations, self.problem.deviations]) ** 2
-        for index in range(len(known.effects)):
+        for index in known.indices_of(names):
             for i, change in enumerate(known.contribution(index)):
                 power = self.settings.own_discrepancy**2 * float(change @ change) / change.size
                 wrong[:, i] += power, power * correlation_length(change)
@@ -435,18 +411,22 @@ class Fitter:
         long_run = np.maximum(np.maximum(left.long_run, wrong[1]), variance)
         return Noise(tuple(variance.tolist()), tuple(long_run.tolist()))
 
-    def discrepancy(self, model: FittedModel) -> Columns | None:
+    def discrepancy(self, model: FittedModel, names: frozenset[str] | None = None) -> Columns | None:
         """Return columns by which the equations of a model's effects may be wrong: what other equations of them do.
 
         Their shares have the prior N(0, 1); all of them together are the share `shared_discrepancy` of what the effect
         does.
+
+        Args:
+            names: of the effects; None: all of them.
         """
-        if id(model) not in self._discrepancies:
-            found = [self.discrepancy_of(model, index) for index in range(len(model.effects))]
+        key = id(model), tuple(model.indices_of(names))
+        if key not in self._discrepancies:
+            found = [self.discrepancy_of(model, index) for index in key[1]]
             every = np.hstack(found) if found else np.zeros((0, 0))
             ends = np.cumsum([f.size for f in model.fit.predicted])[:-1]
-            self._discrepancies[id(model)] = model, np.split(every, ends) if every.shape[1] else None
-        return self._discrepancies[id(model)][1]
+            self._discrepancies[key] = model, np.split(every, ends) if every.shape[1] else None
+        return self._discrepancies[key][1]
 
     def discrepancy_of(self, model: FittedModel, index: int) -> np.ndarray:
         """Return what other equations of an effect do in its place (n, k), as principal components.

@@ -76,7 +76,9 @@ def screen(fitter: Fitter, model: FittedModel, known: FittedModel, noise: Noise 
     tests, starts, nuisance, screened = _candidates(fitter, model, known)
     plain = model.fit.model.nuisance_columns(model.fit.values)
     every = [_stacked(of_test) for of_test in zip(plain, *(columns for _, columns in nuisance), strict=True)]
-    noise = noise or fitter.noise_of(_left(tests, every, Noise.white(fitter.problem.deviations)), known)
+    if noise is None:
+        left = _left(tests, every, Noise.white(fitter.problem.deviations))
+        noise = fitter.noise(Noise.left_by(left, fitter.problem.deviations, fitter.problem.sizes), known)
     alone = _Evidence.of(tests, plain, noise, len(starts))
     nothing = float(alone.log_of(0.0, 0.0))
     singles = alone.singles(starts)
