@@ -18,6 +18,7 @@ from edesign.calibration.search.problem import Problem
 from edesign.calibration.search.search import Found
 from edesign.calibration.search.settings import SETTINGS, SearchSettings
 from edesign.calibration.signals.interpolation import sampling_notes
+from edesign.calibration.signals.spikes import spike_notes, without_spikes
 from edesign.calibration.structures.campaign import StructureCampaign
 from edesign.calibration.structures.from_campaign import structure_problem
 from edesign.calibration.structures.outcome import StructureOutcome
@@ -97,10 +98,15 @@ def _outcome(
 
 
 def notes_of(campaign: Campaign) -> tuple[str, ...]:
-    """Return what should be known of a campaign before the search: readings, clipped forces, coarse sampling."""
+    """Return what should be known of a campaign before the search: readings, lost samples, coarse sampling."""
     if not isinstance(campaign, DamperCampaign):
         return ()
-    return (*campaign.notes, *clipping_notes(campaign.tests), *sampling_notes(campaign.tests))
+    return (
+        *campaign.notes,
+        *clipping_notes(campaign.tests),
+        *spike_notes(campaign.tests),
+        *sampling_notes(campaign.tests),
+    )
 
 
 def with_fitted_law(campaign: DamperCampaign, threads: int = 1, progress: Progress = lambda _: None) -> DamperCampaign:
@@ -118,6 +124,8 @@ def with_fitted_law(campaign: DamperCampaign, threads: int = 1, progress: Progre
         return campaign
     law = law_of(campaign.law.type)
     progress(f"fitting the law {law.name}, of which the campaign names no parameters")
-    found = fit_forces(law, campaign.used_for("fit"), specimen=campaign.specimen, workers=threads)
+    found = fit_forces(
+        law, [without_spikes(one) for one in campaign.used_for("fit")], specimen=campaign.specimen, workers=threads
+    )
     values = write_parameters(law, found.values)
     return replace(campaign, law=replace(campaign.law, parameters=values, fitted=True))

@@ -133,6 +133,10 @@ def archive_groups(found: Calibration) -> dict[str, Group]:
         if series.clipped is not None:
             words = f"1 where the measured {what} stands at the end of its range and is not judged"
             group.add("clipped", ("sample",), series.clipped.astype(np.int8), "1", words)
+        for name, at, channel in (("spikes", series.spikes, what), ("motion_spikes", series.motion_spikes, "motion")):
+            if at is not None:
+                words = f"1 where the measured {channel} had a spike, over which it is interpolated"
+                group.add(name, ("sample",), at.astype(np.int8), "1", words)
         for stage, values in series.predicted.items():
             words = f"{what} predicted by the {stage} {'law' if found.subject == 'damper' else 'building'}"
             group.add(f"{stage}_{what}", ("sample",), values, unit, words)
@@ -287,6 +291,10 @@ def _of_a_damper(found: Calibration) -> dict[str, Any]:
         "noise_assumed": [one.name for one in found.series if one.assumed],
         "clipped_samples": {
             one.name: int(np.count_nonzero(one.clipped)) for one in found.series if one.clipped is not None
+        },
+        "spikes": {
+            channel: {one.name: one.time[at].tolist() for one in found.series if (at := getattr(one, name)) is not None}
+            for channel, name in (("force", "spikes"), ("displacement", "motion_spikes"))
         },
     }
 

@@ -47,3 +47,26 @@ def test_a_floor_that_no_record_shows_is_reported(tmp_path: Path) -> None:
     for one in found.series:  # ISO 376: reproducibility of 0.1 % of what is measured, here of its rms
         assert one.noise == pytest.approx(1e-3 * float(np.sqrt(np.mean(one.measured**2))))
     assert "noise floor of all tests: not measured" in plain(each_test_table(found))
+
+
+def test_spikes_have_no_weight_and_those_of_the_motion_are_interpolated(tmp_path: Path) -> None:
+    whole = campaign(tmp_path, tests=6)
+    random, tests, of_force, of_motion = np.random.default_rng(8), [], {}, {}
+    for one in whole.tests:
+        force, motion = one.measured_force().copy(), one.displacement.copy()
+        at = np.sort(random.choice(np.arange(20, force.size - 20, 25), 6, replace=False))
+        force[at[:4]] += 12e3 * random.choice([-1.0, 1.0], 4)
+        motion[at[4:]] += 0.4 * np.ptp(motion)
+        tests.append(replace(one, force=force, displacement=motion))
+        of_force[one.name], of_motion[one.name] = one.time[np.sort(at[:4])], one.time[np.sort(at[4:])]
+    found = calibrate(replace(whole, tests=tuple(tests)), threads=1)
+    assert found.verdict == "none" and not found.effects
+    for name, value in (("k", K), ("c", C)):
+        estimate = found.parameters["refit"][name]
+        assert estimate.value == pytest.approx(value, abs=4.0 * estimate.standard_error)
+    told = calibration_json(found)["spikes"]
+    assert told["force"] == {name: pytest.approx(times) for name, times in of_force.items()}
+    assert told["displacement"] == {name: pytest.approx(times) for name, times in of_motion.items()}
+    text = " ".join(plain(each_test_table(found)).split())
+    assert "spikes of the force are not judged (samples): test_01 4, test_02 4" in text
+    assert "spikes of the displacement were interpolated" in text

@@ -42,6 +42,8 @@ class Experiment:
         full: the test at full rate, if this is not.
         conditions: that the test declares, by name, in units of the campaign.
         clipped: (n,) whether the force stands at the end of the load cell's range; None: it does nowhere.
+        spikes: (n,) whether the force has a spike, over which it is interpolated; None: it has none.
+        motion_spikes: (n,) the same of the displacement.
         way: which mirror image of the test the specimen made before it (`Motion.after`); 0.0: it was held for long.
     """
 
@@ -62,6 +64,8 @@ class Experiment:
     full: Experiment | None = None
     conditions: Mapping[str, float] = field(default_factory=dict)
     clipped: np.ndarray | None = None
+    spikes: np.ndarray | None = None
+    motion_spikes: np.ndarray | None = None
     way: float = 0.0
     _finer: dict[int, Motion] = field(default_factory=dict, init=False, repr=False)
 
@@ -92,8 +96,10 @@ class Experiment:
 
     @cached_property
     def judged(self) -> np.ndarray:
-        """Samples (n,) that are judged: none before the first one, and none at which the force is clipped."""
-        found = np.ones(self.motion.time.size, dtype=bool) if self.clipped is None else ~self.clipped
+        """Samples (n,) that are judged: none before the first one, and none that is clipped or a spike."""
+        found = np.ones(self.motion.time.size, dtype=bool)
+        for lost in (self.clipped, self.spikes, self.motion_spikes):
+            found &= True if lost is None else ~lost
         found[: self.judged_from] = False
         return found
 
@@ -126,6 +132,8 @@ class Experiment:
             force=np.ascontiguousarray(self.force[::stride]),
             weight=None if self.weight is None else np.ascontiguousarray(self.weight[::stride]),
             clipped=None if self.clipped is None else self.clipped[::stride],
+            spikes=None if self.spikes is None else self.spikes[::stride],
+            motion_spikes=None if self.motion_spikes is None else self.motion_spikes[::stride],
             full=self,
         )
 

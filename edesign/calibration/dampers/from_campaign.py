@@ -16,6 +16,7 @@ from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.dampers.tones import common_tones
 from edesign.calibration.search.settings import SearchSettings
+from edesign.calibration.signals.spikes import spikes_of, without_spikes
 from edesign.core import CoreError
 from edesign.core.damper import CoreDamper
 from edesign.damper.fitting.identifiable import as_held
@@ -160,17 +161,21 @@ def _check_motion(test: DamperTest) -> None:
 
 def _experiments(tests: Sequence[DamperTest]) -> tuple[Experiment, ...]:
     found, elapsed = [], 0.0
-    for order, test in enumerate(tests):
+    for order, measured in enumerate(tests):
+        test, (of_motion, of_force) = without_spikes(measured), spikes_of(measured)
         force = test.measured_force()
         motion, noise = smoothed_motion(test.time, test.displacement, force)
         history = test.temperature_history
         degrees = test.temperature_C if history is None else float(np.mean(history))
         at_end = clipped(force)
+        spikes = None if of_force is None else of_force.at
         found.append(
             Experiment(
                 *(test.name, test.use, order, elapsed, motion, force, degrees, noise),
                 conditions=dict(test.conditions),
                 clipped=at_end if np.any(at_end) else None,
+                spikes=spikes if np.any(spikes) else None,
+                motion_spikes=of_motion.at if np.any(of_motion.at) else None,
             )
         )
         elapsed += float(motion.since[-1])

@@ -139,6 +139,8 @@ class Series:
         channel: of the test, for people.
         start: how the record of a damper test starts away from rest; None: at rest.
         clipped: (n,) whether what is measured stands at the end of the instrument's range; None: it does nowhere.
+        spikes: (n,) whether it is a spike, over which it is interpolated; None: there is none.
+        motion_spikes: (n,) the same of the displacement.
         assumed: whether `noise` is the least that an instrument is thought to have, as the record shows less.
     """
 
@@ -159,6 +161,8 @@ class Series:
     channel: str = ""
     start: Start | None = None
     clipped: np.ndarray | None = None
+    spikes: np.ndarray | None = None
+    motion_spikes: np.ndarray | None = None
     assumed: bool = False
 
     @property
@@ -168,9 +172,17 @@ class Series:
 
     @property
     def counted(self) -> np.ndarray:
-        """Samples (n,) that errors count: of those that are judged the ones that are not clipped."""
-        found = np.ones(self.time.size, dtype=bool) if self.clipped is None else ~self.clipped
+        """Samples (n,) that errors count: of those that are judged the ones that are neither clipped nor spikes."""
+        found = ~self._lost
         found[: self.judged.start] = False
+        return found
+
+    @property
+    def _lost(self) -> np.ndarray:
+        """Samples (n,) that are clipped, or spikes."""
+        found = np.zeros(self.time.size, dtype=bool)
+        for lost in (self.clipped, self.spikes, self.motion_spikes):
+            found |= False if lost is None else lost
         return found
 
     @property
@@ -179,8 +191,8 @@ class Series:
         return self.test or self.name
 
     def residual(self, stage: Stage) -> Residual:
-        """Return the residual at a stage, as its analysis takes it: nothing is left where the measured is clipped."""
+        """Return the residual at a stage, as its analysis takes it: nothing is left where the measured is lost."""
         predicted = self.predicted[stage]
-        measured = self.measured if self.clipped is None else np.where(self.clipped, predicted, self.measured)
+        measured = np.where(self._lost, predicted, self.measured)
         histories = self.time, self.displacement, self.velocity, measured, predicted, self.temperature
         return Residual(self.name, self.order, self.use, *(values[self.judged] for values in histories))

@@ -198,6 +198,8 @@ class DamperOutcome(Evidence[Sequence[np.ndarray]]):
                     self._floor.noise[i],
                     start=one.start,
                     clipped=one.clipped,
+                    spikes=one.spikes,
+                    motion_spikes=one.motion_spikes,
                     assumed=not self._floor.measured or self._floor.noise[i] <= least_noise(one.force),
                 )
             )

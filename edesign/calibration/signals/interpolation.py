@@ -13,6 +13,7 @@ from scipy.interpolate import BSpline, make_interp_spline
 from edesign.calibration.signals.noise import smooth
 from edesign.calibration.signals.noise_level import transforms
 from edesign.calibration.signals.sampling import evenly, step
+from edesign.calibration.signals.spikes import without_spikes
 from edesign.damper.testing.measured_histories import DamperTest
 
 CUBIC, SMOOTH = 3, 7
@@ -149,7 +150,7 @@ def sampling_notes(tests: Iterable[DamperTest]) -> tuple[str, ...]:
         tests: of a campaign.
     """
     found = []
-    for test in tests:
+    for test in map(without_spikes, tests):
         beside = () if test.force is None else (test.measured_force(),)
         one = Interpolation.of(test.time, smooth(test.time, test.displacement, beside=beside)[0])
         if one is not None and one.lost > NOTHING:

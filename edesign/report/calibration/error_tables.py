@@ -117,6 +117,14 @@ def each_test_table(calibration: Calibration) -> Table:
         notes.append(
             f"clipped samples of the force, at the end of the load cell's range, are not judged: {', '.join(clipped)}"
         )
+    for name, words in (
+        ("spikes", "of the force are not judged"),
+        ("motion_spikes", "of the displacement were interpolated, as the law needs all of it, and are not judged"),
+    ):
+        of_tests = [(one.name, getattr(one, name)) for one in calibration.series]
+        spikes = [f"{test} {np.count_nonzero(at)}" for test, at in of_tests if at is not None]
+        if spikes:
+            notes.append(f"spikes {words} (samples): {', '.join(spikes)}")
     return EACH_TEST.of(rows, notes=notes, what="channel" if calibration.subject == "structure" else "test")
 
 

@@ -196,7 +196,10 @@ def force_warnings(test: DamperTest) -> list[str]:
         return ["no force was measured"]
     if not np.any(test.force - np.mean(test.force)):
         return ["the force is the same throughout; was the load cell connected?"]
+    from edesign.calibration.signals.spikes import spike_warnings
+
     found = [warning] if (warning := clipping_warning(test)) else []
+    found += spike_warnings(test)
     if sign_questionable(test.displacement, test.force):
         found.append("the damper gives energy instead of taking it: is the sign of force or displacement reversed?")
     return found

@@ -1,0 +1,109 @@
+"""Spikes of channels are found and nothing else is: corners, impacts, slips, coarse sampling. Own signals."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from edesign.calibration.signals.spikes import spike_notes, spikes, without_spikes
+from edesign.damper.testing.measured_histories import DamperTest
+from edesign.report.check.damper_files import force_warnings
+
+RNG = np.random.default_rng(62)
+T = np.arange(0.0, 10.0, 1.0 / 200.0)
+U, V = np.sin(2.0 * np.pi * T), np.cos(2.0 * np.pi * T)
+NOISE = 0.003 * RNG.standard_normal(T.size)
+FORCE = U + 0.4 * V + NOISE
+
+
+def plastic(stiffness: float = 8.0) -> np.ndarray:
+    """An elastic-plastic force of unit strength by return mapping."""
+    found, force = np.zeros(T.size), 0.0
+    for i in range(1, T.size):
+        force = min(max(force + stiffness * (U[i] - U[i - 1]), -1.0), 1.0)
+        found[i] = force
+    return found
+
+
+def impacts(samples: int, each: float = 1.0, ringing: bool = False) -> np.ndarray:
+    """Half sines of a length in samples at the same place of every cycle, or what rings after a blow there."""
+    found = np.zeros(T.size)
+    for begin in np.arange(0.2317, 9.5, each):
+        since = 200.0 * (T - begin)
+        wave = np.sin(np.pi * np.clip(since, 0.0, np.inf) / samples)
+        shape = np.exp(-np.clip(since, 0.0, np.inf) / 10.0) if ringing else since < samples
+        found += np.where(since > 0.0, 0.6 * wave * shape, 0.0)
+    return found
+
+
+@pytest.mark.parametrize("row", [1, 2, 3])
+@pytest.mark.parametrize("force", [FORCE, plastic() + 0.2 * U + NOISE], ids=["viscous", "plastic"])
+def test_spikes_are_found_and_interpolated(force: np.ndarray, row: int) -> None:
+    places = np.array([133, 479, 812, 1210, 1534, 1841])  # away from the corners, at any phase
+    at = np.zeros(T.size, dtype=bool)
+    for i in places:
+        at[i : i + row] = True
+    spiky = force + np.where(at, 0.8 * np.sign(np.sin(7.0 * np.arange(T.size) // 10)), 0.0)
+    found = spikes(T, spiky, (U, V))
+    assert np.array_equal(found.at, at)
+    assert np.all(np.abs(found.mended - force)[at] < 8.0 * 0.003)
+    assert np.array_equal(found.mended[~at], spiky[~at])
+
+
+@pytest.mark.parametrize(
+    "force",
+    [
+        FORCE,
+        FORCE - NOISE,
+        U + 0.5 * np.sign(V) + NOISE,
+        np.sign(V) * np.abs(V) ** 0.15 + NOISE,
+        plastic(40.0) + NOISE,
+        plastic(40.0),
+        np.clip(2.0 * U, -1.0, 1.0) + NOISE,
+        U + 30.0 * np.clip(U - 0.95, 0.0, None) ** 1.5 + NOISE,
+        U + 0.2 * ((13.0 * T) % 1.0) + NOISE,
+        U + impacts(1) + NOISE,
+        U + impacts(2) + NOISE,
+        U + impacts(5) + NOISE,
+        U + impacts(4, ringing=True) + NOISE,
+        U + 0.05 * np.sin(2.0 * np.pi * 50.0 * T) + NOISE,
+        np.round(FORCE / 0.05) * 0.05,
+        np.round(20.0 * T / 7.0) + 0.0,
+        np.where(T < 5.0, 0.0, FORCE),
+        RNG.standard_normal(T.size),
+    ],
+    ids=(
+        "clean exact friction power plastic plastic_exact clipped contact slips impact_1 impact_2 impact_5 ringing "
+        "hum digitiser steps rest noise"
+    ).split(),
+)
+def test_nothing_else_is_a_spike(force: np.ndarray) -> None:
+    assert not spikes(T, force, (U, V)).at.any()
+
+
+@pytest.mark.parametrize("a_period", [6, 8, 12, 25])
+@pytest.mark.parametrize("noise", [0.0, 1e-3, 1e-2])
+def test_coarse_sampling_makes_none(a_period: int, noise: float) -> None:
+    time = np.arange(0.0, 40.0, 1.0 / a_period) + 0.013
+    u, v = np.sin(2.0 * np.pi * time), np.cos(2.0 * np.pi * time)
+    for force in (u, u + 0.3 * v, np.sign(v) * np.abs(v) ** 0.3, u + 0.5 * np.sign(v)):
+        noisy = force + noise * RNG.standard_normal(time.size)
+        assert not spikes(time, noisy, (u, v)).at.any()
+
+
+def test_noise_alone_has_one_in_a_hundred_records_at_most() -> None:
+    time = np.arange(400.0)
+    found = sum(spikes(time, RNG.standard_normal(time.size)).at.any() for _ in range(400))
+    assert found <= 4 + 3 * 2  # three standard deviations above one in a hundred
+
+
+def test_they_are_said_by_test_channel_and_time() -> None:
+    force, motion = 1e4 * FORCE, 0.01 * U + 1e-5 * NOISE
+    force[700] += 8e3
+    motion[[300, 301]] -= 0.004
+    test = DamperTest("a", T, motion, force)
+    of_force, of_motion = spike_notes([DamperTest("b", T, 0.01 * U, 1e4 * FORCE), test])
+    assert of_force.startswith("a: force: 1 sample is a spike, at 3.5 s, up to 7.9") and "not judge" in of_force
+    assert of_motion.startswith("a: displacement: 2 samples are spikes, at 1.5, 1.505 s, up to 4 mm ")
+    assert [of_force[3:], of_motion[3:]] == force_warnings(test)[:2]
+    assert np.max(np.abs(without_spikes(test).displacement - 0.01 * U)) < 1e-6
