@@ -30,19 +30,29 @@ _STRAYS = 2.0  # standard deviations of the noise, within which a motion at rest
 _SLOW = 0.01  # of the largest velocity, which no motion at rest has
 
 
-def smoothed_motion(time: np.ndarray, displacement: np.ndarray, force: np.ndarray) -> tuple[Motion, float]:
+def smoothed_motion(
+    time: np.ndarray, displacement: np.ndarray, force: np.ndarray, known: tuple[Motion, float] | None = None
+) -> tuple[Motion, float]:
     """Return a motion freed of noise, and the standard deviation of this noise, m.
 
     Args:
         time: (n,) s, ascending.
         displacement: (n,) m.
         force: (n,) N: what both share is motion.
+        known: a motion of the same test, whose curve between samples it has, and the noise; None: both are found.
     """
-    found, velocity, acceleration, noise = smooth(time, displacement, beside=(force,))
-    between = Interpolation.of(time, found)
-    if between is not None and between.degree != CUBIC:  # the motion ends below the Nyquist frequency: no corners
-        return Motion.along(time, found, between.degree), noise
-    if not cornered(time, displacement, noise):
+    of, noise = known or (None, None)
+    found, velocity, acceleration, noise = smooth(time, displacement, beside=(force,), noise=noise)
+    if of is None:
+        between = Interpolation.of(time, found)
+        # a motion that ends below the Nyquist frequency has no corners
+        degree = CUBIC if between is None else between.degree
+        corners = degree == CUBIC and cornered(time, displacement, noise)
+    else:
+        degree, corners = of.degree, of.cornered
+    if degree != CUBIC:
+        return Motion.along(time, found, degree), noise
+    if not corners:
         return Motion(time, found, velocity, acceleration), noise
     cubics = PchipInterpolator(time, displacement)
     velocity = cubics(time, 1)
@@ -56,12 +66,12 @@ def with_noise(
 
     The force channel's is estimated above the motion, in what a model leaves of the force too, or in rests. Where a
     test has no such place, that of the others stands for it, and if none has one the least (`least_noise`). Noise of
-    the displacement makes force through the model: such noise is added and taken off again. That is most where the
-    damper
-    is slow and its force steep over the velocity. The same noise is added whatever the model. It is added to motions
-    that are at rest where no more than noise is left of them: what smoothing leaves of the noise there hides that of a
-    second time from a law of a low power of the velocity. What is not known of the motion between its samples makes the
-    difference of two predictions, along two splines.
+    the displacement makes force through the model: such noise is added and taken off again, as noise of this size: it
+    is not measured again where there is twice of it. That is most where the damper is slow and its force steep over the
+    velocity. The same noise is added whatever the model. It is added to motions that are at rest where no more than
+    noise is left of them: what smoothing leaves of the noise there hides that of a second time from a law of a low
+    power of the velocity. What is not known of the motion between its samples makes the difference of two predictions,
+    along two splines.
 
     Args:
         problem: with all tests, at full rate.
@@ -81,10 +91,11 @@ def with_noise(
             motion = one.motion
             if one.displacement_noise > 0.0:
                 noisy = motion.displacement + one.displacement_noise * random.standard_normal(motion.time.size)
-                motion, _ = smoothed_motion(motion.time, noisy, one.force)
+                noise = one.displacement_noise
+                motion, _ = smoothed_motion(motion.time, noisy, one.force, (motion, noise))
                 if problem.law.rate_dependent and not motion.cornered:
                     # of what wavelets take off the velocity all may have been motion; a law of a power of it sees it
-                    whole = smooth(motion.time, noisy, rests=False, beside=(one.force,))[1]
+                    whole = smooth(motion.time, noisy, rests=False, noise=noise)[1]
                     motion = replace(motion, velocity=np.where(at, motion.velocity, whole))
             again.append(replace(one, motion=motion))
         for own, force, moved in zip(power, plain, forces_of(problem.with_experiments(again)), strict=True):

@@ -86,7 +86,11 @@ def _in_rests(values: np.ndarray, channels: Sequence[np.ndarray]) -> float:
 
 
 def smooth(
-    time: np.ndarray, displacement: np.ndarray, rests: bool = True, beside: Sequence[np.ndarray] = ()
+    time: np.ndarray,
+    displacement: np.ndarray,
+    rests: bool = True,
+    beside: Sequence[np.ndarray] = (),
+    noise: float | None = None,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, float]:
     """Return a motion freed from its noise before it is differentiated.
 
@@ -99,13 +103,15 @@ def smooth(
         displacement: (n,) m.
         rests: whether noise of rests is taken off too.
         beside: (n,) of other channels, as the force: what both share is motion.
+        noise: standard deviation of white noise as strong next to the motion, m; None: it is measured.
 
     Returns:
         Displacement (n,) m, velocity (n,) m/s, acceleration (n,) m/s^2, and the standard deviation of white noise that
         is as strong next to the motion as that of the channel, m.
     """
     time, displacement = np.asarray(time, dtype=float), np.asarray(displacement, dtype=float)
-    found, noise = _without_noise(time, displacement, rests, beside)
+    noise = _next_to_motion(time, displacement, beside) if noise is None else noise
+    found = _without_noise(time, displacement, rests, noise)
     if time.size < 4:
         velocity = np.gradient(found, time) if time.size > 1 else np.zeros_like(found)
         return found, velocity, np.zeros_like(found), noise
@@ -113,15 +119,16 @@ def smooth(
     return found, np.asarray(spline(time, 1)), np.asarray(spline(time, 2)), noise
 
 
-def _without_noise(
-    time: np.ndarray, values: np.ndarray, rests: bool, beside: Sequence[np.ndarray]
-) -> tuple[np.ndarray, float]:
-    """Return values without noise, and the standard deviation of white noise as strong next to the motion."""
+def _next_to_motion(time: np.ndarray, values: np.ndarray, beside: Sequence[np.ndarray]) -> float:
+    """Return the standard deviation of white noise as strong next to the motion; 0 if motion has all of the band."""
     noise = _noise(values, time, beside)[1]
-    if math.isnan(noise) or noise > MOST_NOISE * float(np.std(values)):
-        noise = 0.0  # the motion itself reaches up to the highest frequency
+    return 0.0 if math.isnan(noise) or noise > MOST_NOISE * float(np.std(values)) else noise
+
+
+def _without_noise(time: np.ndarray, values: np.ndarray, rests: bool, noise: float) -> np.ndarray:
+    """Return values without noise of a standard deviation."""
     if noise == 0.0 or time.size < _FEWEST:
-        return values.copy(), noise
+        return values.copy()
     grid, resampled = even(time, values)
     found = smoothed(resampled, noise, rests)
     if grid is not time:
@@ -130,4 +137,4 @@ def _without_noise(
         found = np.asarray(CubicSpline(grid, found)(time), dtype=float)
         if np.max(np.abs(unresolved)) > _STICKS_OUT * noise:
             found += unresolved
-    return found, noise
+    return found

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 from scipy.ndimage import median_filter, uniform_filter1d
+from scipy.special import gammainccinv, hyp2f1
 
 from edesign.calibration.signals.sampling import rounding
 from edesign.estimation.differences import difference_gain, robust_deviation
+from edesign.estimation.left_out import PRIOR_FREEDOM
 
 MOTION = 20.0
 """Hz: motions of dampers and their loops live below."""
@@ -28,14 +31,8 @@ _TONE = 3.0  # times the level about it
 _MOTION_SHARE = 0.4  # of the Nyquist frequency, that the motion takes at most if the sampling is slow
 _CORNER = 3.5  # standard deviations of a fourth difference
 _LAST = 0.9  # of the Nyquist frequency: filters of a logger fall beyond it
-_LOCKED_OVER, _LOCKED, _SHARED = 9, 5.0, 0.2
-"""Bins over which it is averaged how far phases of two channels keep together; from where on they do: independent ones
-are at 1, and by chance beyond 5 at one frequency of one channel in a hundred; and the squared mean of their directions
-below which motion has less than a quarter of the power there, which adds an eighth to the noise.
-"""
-
-
-_CUT = 0.1  # of the noise below, above a filter
+_LOCKED_OVER = 9  # bins over which it is averaged how far phases of two channels keep together
+_CHANCE = 0.01  # that those of independent channels do so at any frequency
 
 
 class Level(NamedTuple):
@@ -126,15 +123,49 @@ def _locked(own: np.ndarray, other: np.ndarray) -> np.ndarray:
     """Return the bins (bins,) at which transforms (m, bins) of two channels keep their phases together."""
     both = (own * np.conj(other))[:, :-_EVENED]  # beside the Nyquist frequency transforms are real, and alike by chance
     together = len(both) * np.abs(np.mean(both / np.maximum(np.abs(both), 1e-300), axis=0)) ** 2
-    least = max(_LOCKED, 1.0 + _SHARED * len(both))
+    least = max(_locked_by_chance(own.shape[1]), 1.0 + _shared() * len(both))
     found = uniform_filter1d(together, _LOCKED_OVER, mode="nearest") > least
     return np.append(found, np.full(_EVENED, found[-1]))
+
+
+@lru_cache(maxsize=8)
+def _locked_by_chance(bins: int) -> float:
+    """Return how far phases of independent channels keep together at one of all bins, by chance of one in a hundred.
+
+    The squared sum of n random directions over n is distributed as 1/2 chi-square of two degrees of freedom. Those of
+    segments that overlap, and of bins beside each other, are correlated as the window makes them. Their mean over bins
+    is a gamma variable with its own mean and variance; of all bins, Bonferroni's bound.
+    """
+    length = 2 * (bins - 1)
+    window = np.kaiser(length, _BETA)
+    power, every = float(window @ window), length // 4
+    of_segments = [float(window[every * s :] @ window[: length - every * s]) / power for s in (1, 2, 3)]
+    of_bins = (np.abs(np.fft.fft(window**2)[1:_LOCKED_OVER]) / power) ** 4
+    mean = 1.0 + 2.0 * sum(one**2 for one in of_segments)
+    apart = 1.0 - np.arange(1, _LOCKED_OVER) / _LOCKED_OVER
+    shape = _LOCKED_OVER / (1.0 + 2.0 * float(apart @ of_bins))
+    return mean * float(gammainccinv(shape, _CHANCE / bins)) / shape
+
+
+@lru_cache(maxsize=1)
+def _shared() -> float:
+    """Return the squared mean direction of two channels of which motion makes too much of the power.
+
+    That is as much as the variance of the noise is not known by (`PRIOR_FREEDOM`). Of normal channels of the coherence
+    c^2, the share of the motion, the mean direction is pi/4 c F(1/2, 1/2; 2; c^2).
+
+    Source: Lee, Hoppel, Mango & Miller (1994), IEEE Trans. Geosci. Remote Sensing 32, 1017-1028 (phase differences).
+    """
+    adds = math.sqrt(2.0 / PRIOR_FREEDOM)
+    share = adds / (1.0 + adds)
+    return (0.25 * math.pi) ** 2 * share * float(hyp2f1(0.5, 0.5, 2.0, share)) ** 2
 
 
 def _end_of_motion(free: np.ndarray, power: np.ndarray) -> int | None:
     """Return the last bin below the first half octave that is free of the motion; None: there is none.
 
-    Above a logger's filter, where noise is cut, channels may keep together again.
+    Channels may keep together again above it. Where that has less power than the noise below, the noise there is less:
+    a logger's filter has cut it. Where it has more, motion goes on.
 
     Args:
         free: (bins,) whether channels do not keep together.
@@ -143,7 +174,7 @@ def _end_of_motion(free: np.ndarray, power: np.ndarray) -> int | None:
     edges = np.flatnonzero(np.diff(np.concatenate(([0], free.astype(np.int8), [0]))))
     for first, end in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
         wide = end - first >= 2 * _EVENED and (end == free.size or end > _OCTAVE * first)
-        if wide and not np.any(power[end:] > _CUT * np.mean(power[first:end])):
+        if wide and not np.any(power[end:] > np.mean(power[first:end])):
             return max(first - 1, 0)
     return None
 

@@ -199,8 +199,8 @@ def spike_warnings(test: DamperTest) -> list[str]:
         off = 1e-3 * (test.measured_force() - of_force.mended)
         found.append(f"force: {_said(test.time, of_force.at, off, 'kN')} A calibration does not judge them")
     if np.any(of_motion.at):
-        off = 1e3 * (test.displacement - of_motion.mended)
-        found.append(f"displacement: {_said(test.time, of_motion.at, off, 'mm')} A calibration interpolates over them, and does not judge the force there")
+        said = _said(test.time, of_motion.at, 1e3 * (test.displacement - of_motion.mended), "mm")
+        found.append(f"displacement: {said} A calibration interpolates over them, and does not judge the force there")
     return found
 
 
