@@ -119,16 +119,34 @@ def with_channel_noise(tests: Sequence[Experiment], predicted: Sequence[np.ndarr
     least = [least_noise(one.force) for one in tests]
     found = [one for one in measured if not math.isnan(one)]
     known = [(one, one / own) for one, own in zip(measured, least, strict=True) if one > own]
-    # of one size in all tests, or in proportion to their forces: the smaller one is surely there
-    size, share = np.median(known, axis=0).tolist() if known else (0.0, 0.0)
+    stand_in = _of_others(known)
     return [
         replace(
             test,
-            channel_noise=one if one > own else max(min(size, share * own), own),
+            channel_noise=one if one > own else max(stand_in(own), own),
             noise_measured=bool(found),
         )
         for test, one, own in zip(tests, measured, least, strict=True)
     ]
+
+
+def _of_others(known: Sequence[tuple[float, float]]) -> Callable[[float], float]:
+    """Return the noise of a test whose record shows none, N, of the size of its force.
+
+    Noise of a load cell is of one size in all tests, that of an amplifier whose range is set for each test grows with
+    the force. Of these two the other tests show the one by which their noise scatters less: that has the larger normal
+    likelihood of its logarithm. Where one test shows it alone, it is the smaller one of both, which is surely there.
+
+    Args:
+        known: noise of each other test, N, and the same in units of the size of its force.
+    """
+    if not known:
+        return lambda size: 0.0
+    of_one_size, in_proportion = np.median(known, axis=0).tolist()
+    if len(known) == 1:
+        return lambda size: min(of_one_size, in_proportion * size)
+    scatter = np.std(np.log(known), axis=0)
+    return lambda size: of_one_size if scatter[0] <= scatter[1] else in_proportion * size
 
 
 def _between_samples(
