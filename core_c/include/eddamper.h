@@ -101,6 +101,7 @@ enum { ED_PLACE_WHOLE = 0, ED_PLACE_INSIDE = 1, ED_PLACE_SPRINGS = 2, ED_PLACE_D
  * without exact step refuse effects with a brace. `message` (size bytes) says why it is refused, and then nothing has changed: ED_E_ID,
  * ED_E_ARGUMENT (the law has no such placement, or the equation is a force and the placement for factors), ED_E_NOT_FINITE, ED_E_MEMORY. */
 int ed_damper_add_effect(ed_damper *damper, int form, int placement, int n_parameters, const double *parameters, char *message, int size);
+int ed_effect_remembers(int form); /* whether an effect has a state: 1 or 0; ED_E_ID: there is no such effect */
 /* What a damper went through before it starts, for laws that extremes soften (ED_LAW_MGMM; others do not mind): largest deformation
  * and velocity (>= 0), smallest ones (<= 0), in the order largest u, smallest u, largest v, smallest v. ED_E_ARGUMENT: they are not so. */
 int ed_damper_set_prior_extremes(ed_damper *damper, const double extremes[4]);

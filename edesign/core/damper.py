@@ -58,6 +58,18 @@ def effect_number(name: str) -> int:
     return int(getattr(lib, f"ED_EFFECT_{name.upper().replace('.', '_')}"))
 
 
+def effect_remembers(name: str) -> bool:
+    """Return whether the force of an effect depends on what the damper did before.
+
+    Args:
+        name: of the effect and its form, e.g. "payne.whole".
+
+    Raises:
+        AttributeError: this core has no such effect.
+    """
+    return bool(lib.ed_effect_remembers(effect_number(name)) == 1)
+
+
 def placement_number(placement: Placement) -> int:
     """Return the core's number of a placement, ED_PLACE_*."""
     return int(getattr(lib, f"ED_PLACE_{placement.upper()}"))

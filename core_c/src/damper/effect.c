@@ -55,6 +55,12 @@ int ed_effect_add(ed_damper *damper, int id, int placement, int n_parameters, co
   return ED_OK;
 }
 
+int ed_effect_remembers(int id)
+{
+  const ed_effect_form *form = ed_effect_form_of(id);
+  return form ? form->has_state : ED_E_ID;
+}
+
 void ed_effects_start(const ed_damper *damper, double *state, int begun)
 {
   double *own = state + damper->n_ode + damper->n_memory, unused = 0.0, side[ED_SIDES] = {1.0, 1.0};

@@ -6,7 +6,15 @@ import math
 from dataclasses import dataclass, replace
 
 from edesign.calibration.dampers.experiment import Experiment
-from edesign.calibration.dampers.mechanisms import CoreEffect, Mechanism, NuisanceAmplitudes, Placement, Rest, Rig
+from edesign.calibration.dampers.mechanisms import (
+    CoreEffect,
+    ForceChannel,
+    Mechanism,
+    NuisanceAmplitudes,
+    Placement,
+    Rest,
+    Rig,
+)
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.form import Form
 from edesign.calibration.search.problem import Effect
@@ -75,7 +83,10 @@ class EffectForm(Form[Mechanism, Sizes]):
     @property
     def remembers(self) -> bool:
         """Whether its force depends on what the specimen did before; in series with a rig it always does."""
-        return any(isinstance(one, Rig) or (isinstance(one, CoreEffect) and one.remembers) for one in self.mechanisms)
+        return any(
+            isinstance(one, Rig) or (isinstance(one, CoreEffect | ForceChannel) and one.remembers)
+            for one in self.mechanisms
+        )
 
     @property
     def carries(self) -> bool:

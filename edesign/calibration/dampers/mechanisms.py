@@ -22,16 +22,10 @@ from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.motion import Motion
 from edesign.calibration.dampers.nuisance import Told
 from edesign.calibration.form import Values
-from edesign.core.damper import EffectValues
+from edesign.core.damper import EffectValues, effect_remembers
 from edesign.damper.effect_forms import parameters_in_core
 from edesign.damper.law import Law
 from edesign.estimation.model import PredictionError
-
-_REMEMBER = (
-    *("mullins", "degradation", "pinching", "payne", "self_heating", "relaxation_branch", "hysteresis"),
-    "friction.presliding",
-)
-"""Equations of the core, or the first part of their names, whose force depends on what the specimen did before."""
 
 
 class Placement(Enum):
@@ -69,7 +63,7 @@ class CoreEffect:
     @property
     def remembers(self) -> bool:
         """Whether its force depends on what the specimen did before."""
-        return self.equation.startswith(_REMEMBER)
+        return effect_remembers(self.equation)
 
     def in_test(self, p: Values, test: Experiment) -> EffectValues:
         """Return the effect as the core takes it in a test.
@@ -214,10 +208,12 @@ class ForceChannel:
     Attributes:
         change: the force (n,) N, of the motion of the actuator and the force (n,) N that would have been.
         of: whether of what moves with the actuator, before the load cell, or of the channel.
+        remembers: whether it depends on the force before.
     """
 
     change: Callable[[Values, Experiment, Motion, np.ndarray], np.ndarray]
     of: Literal["carriage", "channel"] = "channel"
+    remembers: bool = False
 
 
 @dataclass(frozen=True)

@@ -16,6 +16,7 @@ from edesign.calibration.dampers.effects import (
     hysteresis,
     lag,
     limit,
+    load_cell,
     mullins,
     one_sided,
     pinching,
@@ -30,7 +31,7 @@ from edesign.calibration.dampers.sizes import Sizes
 
 TABLES = (
     *(amplitude, mullins, hardening, one_sided, limit, viscous, hysteresis, pinching, gas_spring, temperature_law),
-    *(wear, friction, rig, alignment, lag, gain, zero),
+    *(wear, friction, rig, alignment, lag, gain, zero, load_cell),
 )
 """Modules, each with its FORMS."""
 
