@@ -116,7 +116,7 @@ def calibrated(
         (slides, "friction", {"F_c": (3e3, 0.03), "x0": (0.5e-3, 0.1)}),
         (fades, "degradation", {"d": (0.3, 0.05), "s0": (0.4, 0.1), "q": (0.45, 0.05)}),
         (touches, "hardening", {"u0": (5e-3, 0.1), "n": (1.5, 0.1)}),
-        (limited, "limit", {"s": (1.0, 0.02), "F_l": (30e3, 0.01)}),
+        (limited, "limit", {"F_l": (30e3, 0.01)}),
         (limited_to_one_side, "limit", {"s": (0.75, 0.03), "F_l": (30e3, 0.01)}),
     ],
 )

@@ -11,6 +11,7 @@ from kelvin_voigt_campaign import C, K, campaign
 
 from edesign.calibration import calibrate
 from edesign.calibration.dampers.effects.load_cell import rayleigh
+from edesign.calibration.write import calibration_json
 
 RANGE = 22e3  # N
 
@@ -44,9 +45,7 @@ def test_loops_of_any_force_are_those_of_play_operators(seed: int) -> None:
     ],
     ids=["odd", "even", "hysteresis"],
 )
-def test_it_is_found_alone(
-    tmp_path: Path, label: str, reads: Callable[[np.ndarray], np.ndarray], value: float
-) -> None:
+def test_it_is_found_alone(tmp_path: Path, label: str, reads: Callable[[np.ndarray], np.ndarray], value: float) -> None:
     whole = campaign(tmp_path, lambda t, u, v, a, order: reads(K * u + C * v))
     found = calibrate(whole, threads=1)
     assert found.verdict == "explained" and [one.label for one in found.effects] == [label]
@@ -58,3 +57,23 @@ def test_it_is_found_alone(
     for name, true in (("k", K), ("c", C)):
         estimate = found.parameters["corrected"][name]
         assert estimate.value == pytest.approx(true, rel=2e-3)
+
+
+@pytest.mark.parametrize(("share", "label"), [(1.0, "limit.range"), (0.8, "limit.force")])
+def test_a_flat_force_is_the_end_of_a_range_and_one_that_goes_on_is_a_valve(
+    tmp_path: Path, share: float, label: str
+) -> None:
+    """Noise comes after the end, as of a converter behind an amplifier: no two samples are equal."""
+    end = 14e3  # N
+
+    def hidden(t: np.ndarray, u: np.ndarray, v: np.ndarray, a: np.ndarray, order: int) -> np.ndarray:
+        force = K * u + C * v
+        return force - share * (force - np.clip(force, -end, end))
+
+    found = calibrate(campaign(tmp_path, hidden), threads=1)
+    assert found.verdict == "explained" and [one.label for one in found.effects] == [label]
+    (effect,) = found.effects
+    assert effect.parameters["F_l"].value == pytest.approx(end, rel=2e-3)
+    (written,) = calibration_json(found)["effects"]
+    assert (effect.kind, bool(written["may_be"])) == (("instrument", True) if share == 1.0 else ("damper", False))
+    assert share == 1.0 or effect.parameters["s"].value == pytest.approx(share, abs=0.01)

@@ -79,7 +79,7 @@ _LINEARITY = EffectForm(
     "instrument",
     "reading of the load cell that curves with the force, alike to both sides,",
     "too much or too little force at the peaks of the force, by its square, at all amplitudes and frequencies",
-    "ISO 376:2011, C.1.4 (interpolation error); VDI/VDE/DKD 2638:2008 (linearity of force transducers)",
+    "ISO 376:2011, table 2 (interpolation error); VDI/VDE/DKD 2638:2008 (linearity of force transducers)",
     (ForceChannel(_odd),),
     lambda s: (_share("a"),),
     lambda s: ((_CLASS,),),
@@ -92,7 +92,7 @@ _EVEN = replace(
     title="reading of the load cell that curves with the force to one side",
     signature="a force to the same side at both peaks of the force: even multiples of the frequency alone",
     mechanisms=(ForceChannel(_even),),
-    meanings={"a": "share by which the largest force reads too far to the positive side, beside a gain"},
+    meanings={"a": "share by which the largest force reads too far to the positive side; negative: to the other"},
 )
 _REVERSIBILITY = EffectForm(
     "reversibility",
@@ -100,14 +100,14 @@ _REVERSIBILITY = EffectForm(
     "instrument",
     "hysteresis of the load cell",
     "loops over the force itself, whose width goes with the square of the force: the same at all rates",
-    "ISO 376:2011, 7.4.4 (reversibility error); Rayleigh (1887), Phil. Mag. 23, 225-245 (its course)",
+    "ISO 376:2011, table 2 (reversibility error); Rayleigh (1887), Phil. Mag. 23, 225-245 (its course)",
     (ForceChannel(_late, remembers=True),),
     lambda s: (_share("h"),),
     lambda s: ((_CLASS,),),
     _of_force,
     meanings={
-        "h": "by which a reading at zero is larger after the largest force than after the same to the other side, as a "
-        "share of it"
+        "h": "difference of the readings at zero after the largest force to either side, as a share of it; negative: "
+        "readings are ahead"
     },
 )
 FORMS = (_LINEARITY, _EVEN, _REVERSIBILITY)

@@ -86,10 +86,13 @@ def test_a_campaign_without_law_or_with_too_few_tests_is_refused(tmp_path):
         damper_problem(replace(right, tests=right.tests[1:]))
 
 
-def test_a_spike_is_reported_with_its_time(tmp_path):
+def test_an_absurd_force_is_reported_with_its_time_if_it_is_longer_than_a_spike(tmp_path):
     right = campaign(tmp_path, tests=4)
     first, *others = right.tests
     force = first.force.copy()
     force[100] = 1e9
+    one = damper_problem(replace(right, tests=(first.with_force(force), *others))).experiments[0].full
+    assert np.flatnonzero(one.spikes).tolist() == [100] and np.max(np.abs(one.force)) < 1e6
+    force[100:105] = 1e9
     with pytest.raises(InputError, match=rf"1e\+06 kN at {first.time[100]:.6g} s.*E-CALIB-03"):
         damper_problem(replace(right, tests=(first.with_force(force), *others)))

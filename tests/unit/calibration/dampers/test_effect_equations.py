@@ -189,6 +189,20 @@ def limited(p: P, low: float, high: float) -> Forces:
     return [(1.0 - p["s"]) * one + p["s"] * np.clip(one, low * p["F_l"], high * p["F_l"]) for one in forces]
 
 
+def plays(p: P) -> Forces:
+    """The integral over all play operators of half widths r, of the density 2, by its midpoints."""
+    found = []
+    for m in MOTIONS:
+        force = law(m.displacement, m.velocity)
+        most, number = float(np.max(np.abs(force))), 20_000
+        half, state, response = (np.arange(number) + 0.5) * most / number, np.zeros(number), np.zeros_like(force)
+        for j, one in enumerate(force):
+            state = np.clip(state, one - half, one + half)
+            response[j] = 2.0 * float(np.mean(state)) * most
+        found.append(force + p["h"] / S.force * response)
+    return found
+
+
 def elapsed(p: P) -> Forces:
     return beside(lambda m, i: p["rate"] * (3.0 - 1 / 250.0) * i + p["rate"] * m.time)
 
@@ -228,6 +242,10 @@ EQUATIONS: dict[str, Callable[[P], Forces]] = {
     "limit.force": lambda p: limited(p, -1.0, 1.0),
     "limit.force_positive": lambda p: limited(p, -np.inf, 1.0),
     "limit.force_negative": lambda p: limited(p, -1.0, np.inf),
+    "limit.range": lambda p: each(lambda m, i: np.clip(law(m.displacement, m.velocity), -p["F_l"], p["F_l"])),
+    "linearity.odd": lambda p: whole(lambda m, i: 1.0 + p["a"] * np.abs(law(m.displacement, m.velocity)) / S.force),
+    "linearity.even": lambda p: whole(lambda m, i: 1.0 + p["a"] * law(m.displacement, m.velocity) / S.force),
+    "reversibility.rayleigh": plays,
     "hardening.exponential": lambda p: beside(
         lambda m, i: (
             p["k_r"]

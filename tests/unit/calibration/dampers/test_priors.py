@@ -39,7 +39,7 @@ def test_labels_are_unique_and_names_are_those_of_the_list(of):
 def test_all_names_of_effects_are_there():
     softening = "payne mullins extremes pinching degradation ageing self_heating temperature_law"
     other = "hardening one_sided limit relaxation_branch velocity_exponent hysteresis friction play series_flexibility"
-    channels = "static_offset gas_spring lag clock thermometer gain offset drift inertia hum"
+    channels = "static_offset gas_spring lag clock thermometer gain offset drift inertia hum linearity reversibility"
     expected = set(f"{softening} {other} {channels}".split())
     assert {form.name for form in forms(PROBLEMS["kelvin_voigt"].typical)} == expected
 
