@@ -16,7 +16,7 @@ from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.dampers.tones import common_tones
 from edesign.calibration.search.settings import SearchSettings
-from edesign.calibration.signals.spikes import spikes_of, without_spikes
+from edesign.calibration.signals.spikes import spikes_beside, spikes_of, without_spikes
 from edesign.core import CoreError
 from edesign.core.damper import CoreDamper
 from edesign.damper.fitting.identifiable import as_held
@@ -61,10 +61,23 @@ def damper_problem(campaign: Campaign, threads: int | None = None) -> DamperProb
     for test in campaign.tests:
         test.varying_force()
         _check_motion(test)
+    experiments = _experiments(campaign.tests)
+    while True:
+        found, of_law = _prepared(campaign, experiments, threads)
+        mended = [_without_spikes_beside(*each) for each in zip(experiments, of_law, strict=True)]
+        if all(one is before for one, before in zip(mended, experiments, strict=True)):
+            return found
+        experiments = tuple(mended)
+
+
+def _prepared(
+    campaign: Campaign, experiments: tuple[Experiment, ...], threads: int | None
+) -> tuple[DamperProblem, list[np.ndarray]]:
+    """Return the problem of tests at full rate, and the force (n_i,) N of the law fitted alone in each of them."""
+    assert campaign.law is not None and campaign.law.parameters is not None
     law = law_of(campaign.law.type)
     declared = law.complete(read_parameters(law, campaign.law.parameters))
     declared = as_held(law, declared) if campaign.law.refit else declared
-    experiments = _experiments(campaign.tests)
     problem = DamperProblem(
         law,
         declared,
@@ -91,7 +104,9 @@ def damper_problem(campaign: Campaign, threads: int | None = None) -> DamperProb
         found = replace(
             _started(replace(found, declared=found.law_values(alone.values())), campaign), declared=declared
         )
-    return replace(found, alone=alone)
+    with suppress(PredictionError):
+        predicted = _forces(replace(problem, declared=found.law_values(alone.values())))
+    return replace(found, alone=alone), predicted
 
 
 def _started(problem: DamperProblem, campaign: Campaign) -> DamperProblem:
@@ -180,6 +195,16 @@ def _experiments(tests: Sequence[DamperTest]) -> tuple[Experiment, ...]:
         )
         elapsed += float(motion.since[-1])
     return tuple(found)
+
+
+def _without_spikes_beside(one: Experiment, predicted: np.ndarray) -> Experiment:
+    """Return a test without spikes that its force (n,) N beside the law shows, as the force alone does not."""
+    motion = one.motion
+    found = spikes_beside(motion.time, one.force, predicted, (motion.displacement, motion.velocity))
+    known = np.zeros(one.force.size, dtype=bool) if one.spikes is None else one.spikes
+    if not np.any(found.at & ~known):
+        return one
+    return replace(one, force=np.where(known, one.force, found.mended), spikes=known | found.at)
 
 
 def _forces(problem: DamperProblem) -> list[np.ndarray]:

@@ -80,6 +80,33 @@ def spikes(time: np.ndarray, values: np.ndarray, drivers: Sequence[np.ndarray] =
     return Spikes(found, mended)
 
 
+def spikes_beside(
+    time: np.ndarray, values: np.ndarray, predicted: np.ndarray, drivers: Sequence[np.ndarray] = ()
+) -> Spikes:
+    """Return the spikes of a channel in what a model leaves of it, which is smoother than the channel.
+
+    Where a model is late at a corner it leaves rows that are as short. The channel has one side that leads to these. So
+    a spike is beyond the lines through the two samples before and after it in the channel too, by more than half of
+    what it is off by.
+
+    Args:
+        time: (n,) s, ascending.
+        values: (n,) in any unit.
+        predicted: (n,) in that unit.
+        drivers: as of `spikes`.
+    """
+    left = values - predicted
+    found = spikes(time, left, drivers)
+    at, off = found.at.copy(), left - found.mended
+    for first, last in _rows(found.at):
+        row = np.arange(first, last + 1)
+        for near, far in ((first - 1, first - 2), (last + 1, last + 2)):
+            slope = (values[far] - values[near]) / (time[far] - time[near])
+            beyond = values[row] - values[near] - slope * (time[row] - time[near])
+            at[row] &= bool(np.all(np.sign(off[row]) * beyond > 0.5 * np.abs(off[row])))
+    return Spikes(at, np.where(at, predicted + found.mended, values))
+
+
 class _Prediction(NamedTuple):
     """Of a row of samples, by a polynomial through others: value and standard deviation, (k,)."""
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from edesign.calibration.signals.spikes import spike_notes, spikes, without_spikes
+from edesign.calibration.signals.spikes import spike_notes, spikes, spikes_beside, without_spikes
 from edesign.damper.testing.measured_histories import DamperTest
 from edesign.report.check.damper_files import force_warnings
 
@@ -89,6 +89,30 @@ def test_coarse_sampling_makes_none(a_period: int, noise: float) -> None:
     for force in (u, u + 0.3 * v, np.sign(v) * np.abs(v) ** 0.3, u + 0.5 * np.sign(v)):
         noisy = force + noise * RNG.standard_normal(time.size)
         assert not spikes(time, noisy, (u, v)).at.any()
+
+
+def test_what_a_model_leaves_shows_spikes_that_steep_forces_hide() -> None:
+    time = np.arange(0.0, 40.0, 1.0 / 20.0)
+    u, v = np.sin(2.0 * np.pi * time), np.cos(2.0 * np.pi * time)
+    places = np.array([51, 133, 272, 404])  # at other places of the cycle
+    force = u + 0.4 * np.sign(v) * np.abs(v) ** 0.5 + 0.003 * RNG.standard_normal(time.size)
+    true = force.copy()
+    force[places] += np.array([0.6, -0.6, 0.6, -0.6])
+    model = 1.02 * u + 0.39 * np.sign(v) * np.abs(v) ** 0.5
+    assert not spikes(time, force, (u, v)).at.any()
+    found = spikes_beside(time, force, model, (u, v))
+    assert np.flatnonzero(found.at).tolist() == places.tolist()
+    assert np.max(np.abs(found.mended - true)[places]) < 0.03
+
+
+@pytest.mark.parametrize("late", [-3, -2, -1, 1, 2, 3])
+def test_a_model_that_is_late_at_a_corner_makes_none(late: int) -> None:
+    random = np.random.default_rng(5)
+    amplitude = np.cumsum(random.standard_normal(T.size)) / 50.0  # no two half cycles are alike
+    velocity = np.gradient(amplitude * U, T)
+    force = amplitude * U + 0.5 * np.sign(velocity) + NOISE
+    model = amplitude * U + 0.5 * np.sign(np.roll(velocity, late))
+    assert not spikes_beside(T, force, model, (amplitude * U, velocity)).at.any()
 
 
 def test_noise_alone_has_one_in_a_hundred_records_at_most() -> None:
