@@ -10,7 +10,9 @@ from damper_problems import LAW_VALUES, problem
 from scipy.special import erf
 
 from edesign.calibration.dampers.effects import forms
+from edesign.calibration.dampers.mechanisms import Placement
 from edesign.calibration.dampers.motion import Motion
+from edesign.core.damper import CoreDamper, EffectValues
 from edesign.estimation.model import PredictionError
 
 K, C = LAW_VALUES["kelvin_voigt"].values()
@@ -596,3 +598,14 @@ def test_every_form_is_checked_here_or_by_the_core():
             plain = plain.removesuffix(ending)
         of_one = ("clock.of_test_", "lag.delay_of_test_", "thermometer.of_test_")
         assert plain in known or plain.startswith(("gain.", "temperature_law.gamma", *of_one)), form.label
+
+
+@pytest.mark.parametrize("effect", PROBLEM.effects, ids=lambda one: one.label)
+def test_an_effect_remembers_if_the_core_keeps_a_state_of_it(effect):
+    """A state more than that of a constant factor, which has none of its own."""
+    none = CoreDamper("kelvin_voigt", (K, C), effects=[EffectValues("constant", (1.1,))]).start().size
+    p, test = effect.data.values(effect.starts[0]), PROBLEM.experiments[1]
+    for one in effect.data.form.core_effects:
+        if one.placement is Placement.WHOLE:
+            kept = CoreDamper("kelvin_voigt", (K, C), effects=[one.in_test(p, test)]).start().size
+            assert one.remembers == (kept > none)
