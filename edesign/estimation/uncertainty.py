@@ -18,6 +18,8 @@ _LEVEL = 0.95  # of intervals
 _CLUSTERS = 4  # fewest: of fewer tests, parts are taken
 _DECADE = 0.5 * math.log(10.0)
 _SMALLEST = 1e-9  # singular value, of the largest: what is below comes from errors of differences
+_AMPLITUDES = np.geomspace(1e-4, 1.0, 60)
+"""Of what equations may be wrong by, over which it is integrated: from nothing to all of what they stand for."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,8 +28,7 @@ class Uncertainty:
 
     Two scatters determine it. Within tests, residuals are noise. From test to test, the estimate moves by what each
     test pulls at it, which also holds what the model lacks in some tests. The larger one counts. Where the equations of
-    the model may be wrong, both are those of the parameters beside the shares of what they may be wrong by, and the
-    estimate is off by as much as these shares move it.
+    the model may be wrong, the estimate is off by as much as that moves it: by what the residual leaves possible.
 
     Attributes:
         parameters: (p,) of the model.
@@ -37,12 +38,12 @@ class Uncertainty:
         pulls: (clusters, p) by how much each test, or block, moves the coordinates, about their mean.
         loose: (p,) share of each coordinate's variance that lies in directions which the tests do not determine.
         condition: ratio of the singular values of the slopes, with columns of unit length.
-        moved: (p,) change of the coordinates that goes with the shares of what equations may be wrong by.
+        moved: (p, p) mean square of what errors of the equations move the coordinates by.
 
     Sources: Liang and Zeger (1986), Biometrika 73, 13-22 (covariance A^-1 (sum g_i g_i') A^-1 by clusters); Bester,
     Conley and Hansen (2011), J. Econometrics 165, 137-151 (with the factor T/(T - 1), Student's t with T - 1 degrees of
     freedom holds for few clusters too); Kennedy and O'Hagan (2001), J. R. Statist. Soc. B 63, 425-464 (equations that
-    may be wrong).
+    may be wrong); Gelman (2006), Bayesian Analysis 1, 515-533 (half-Cauchy prior of an amplitude).
     """
 
     parameters: tuple[Parameter, ...]
@@ -61,7 +62,7 @@ class Uncertainty:
 
     def standard_error(self, weights: np.ndarray) -> float:
         """Return the standard error of the sum of the coordinates times weights (p,)."""
-        return math.sqrt(max(0.0, *(self._square(c, weights) for c in (self.within, self.between))))
+        return math.sqrt(max(0.0, *(float(weights @ (c + self.moved) @ weights) for c in (self.within, self.between))))
 
     def half_width(self, weights: np.ndarray, joint: int = 1) -> float:
         """Return half the width of the 95 % interval of that sum.
@@ -70,15 +71,11 @@ class Uncertainty:
             weights: (p,).
             joint: how many coordinates the weights were chosen for, so that the sum is the surest one (Scheffe).
         """
-        from scipy.special import fdtri  # scipy takes time at the start of every command
+        from scipy.special import chdtri, fdtri  # scipy takes time at the start of every command
 
         of = (self.within, self.freedom), (self.between, max(len(self.pulls) - 1.0, 1.0))
-        squares = [self._square(c, weights) * float(fdtri(joint, nu, _LEVEL)) for c, nu in of]
-        return math.sqrt(joint * max(0.0, *squares))
-
-    def _square(self, covariance: np.ndarray, weights: np.ndarray) -> float:
-        """Return the mean square error of the sum: its variance, and the square of what it is off by."""
-        return float(weights @ covariance @ weights + (self.moved @ weights) ** 2)
+        squares = [joint * float(weights @ c @ weights * fdtri(joint, nu, _LEVEL)) for c, nu in of]
+        return math.sqrt(max(0.0, *squares) + float(weights @ self.moved @ weights * chdtri(joint, 1.0 - _LEVEL)))
 
     def interval(self, index: int) -> tuple[float, float]:
         """Return the 95 % interval of a parameter, SI, inside its bounds; one at a bound has that alone."""
@@ -97,6 +94,7 @@ def uncertainty(
     blocks: Sequence[int] | None = None,
     size_of: range = range(0),
     wrong: Sequence[np.ndarray] | None = None,
+    share: float = 1.0,
 ) -> Uncertainty:
     """Return the uncertainty of a fit.
 
@@ -107,29 +105,24 @@ def uncertainty(
             halves, thirds or quarters.
         size_of: indices of the parameters of an effect whose size, the first one, is asked for: how much there is, not
             of what shape. The others are then taken as known, and the size is not, even at a bound.
-        wrong: columns (n_i, k) of each test by which the equations of the model may be wrong: their shares, the same in
-            all tests, have the prior N(0, 1). None: none.
+        wrong: columns (n_i, k) of each test by which the equations of the model may be wrong: what they stand for, in
+            all. Their shares, the same in all tests, have the prior N(0, amplitude^2). None: none.
+        share: median of the amplitude by its prior, which is half-Cauchy, up to 1.
     """
     noise = noise or fitted.noise
     beside = wrong or [np.zeros((f.size, 0)) for f in fitted.predicted]
-    p, k = fitted.z.size, beside[0].shape[1]
+    p = fitted.z.size
     both = [np.hstack(each) for each in zip(fitted.slopes, beside, strict=True)]
     here = weighted(fitted.model, noise, fitted.values, fitted.predicted, both)
     asked = fitted.free.copy()
     asked[size_of] = np.arange(len(size_of)) == 0
-    index = np.flatnonzero(np.append(asked, np.ones(k, dtype=bool)))
-    slopes = [j[:, index] for j in here.slopes]
-    root = np.sqrt(np.append(priors_of(fitted.model.parameters), np.ones(k))[index])
+    index = np.flatnonzero(asked)
+    slopes, residuals = [j[:, index] for j in here.slopes], here.residuals
+    prior = priors_of(fitted.model.parameters)[index]
     data = triangle(*slopes, np.zeros((index.size, index.size)))
-    whole = triangle(*slopes, np.diag(root))
+    whole = triangle(*slopes, np.diag(np.sqrt(prior)))
     spread, _ = _inverse(whole)
-    own, residuals, moved = index.size - k, here.residuals, np.zeros(p + k)
-    inverse, ratios = _inverse(data[:, :own])
-    if k:
-        pull = root**2 * np.append(fitted.z, np.zeros(k))[index]
-        pull += sum(j.T @ r for j, r in zip(slopes, residuals, strict=True))
-        moved[index] = -spread @ (spread.T @ pull)
-        residuals = tuple(r + j @ moved[index] for r, j in zip(residuals, slopes, strict=True))
+    inverse, ratios = _inverse(data)
     samples = np.array([noise.independent(i, r.size) for i, r in enumerate(residuals)])
     freedom = max(float(samples.sum() - np.sum((data @ spread) ** 2)), 1.0)
     sizes = [np.sqrt(float(r @ r) / n * samples.sum() / freedom) for r, n in zip(residuals, samples, strict=True)]
@@ -139,18 +132,42 @@ def uncertainty(
         for r, j, n in zip(residuals, slopes, parts, strict=True)
         for part_r, part_j in zip(np.array_split(r, n), np.array_split(j, n), strict=True)
     ]
-    pulls, within = np.zeros((len(cut), p + k)), np.zeros((p + k, p + k))
+    pulls, within, moved = np.zeros((len(cut), p)), np.zeros((p, p)), np.zeros((p, p))
     loose, lost = np.zeros(p), ratios * LOOSE < 1.0
     each = np.array(cut) @ spread @ spread.T
     pulls[:, index] = each - each.mean(axis=0)
-    scatter = triangle(*(size * j for size, j in zip(sizes, slopes, strict=True)), np.diag(root)) @ spread
+    scatter = triangle(*(size * j for size, j in zip(sizes, slopes, strict=True)), np.diag(np.sqrt(prior))) @ spread
     undetermined = np.diag(np.maximum(1.0 - np.sum((whole @ spread) ** 2, axis=0), 0.0)) * np.mean(np.square(sizes))
     within[np.ix_(index, index)] = spread @ (scatter.T @ scatter + undetermined) @ spread.T
-    loose[index[:own]] = np.sum(inverse[:, lost] ** 2, axis=1) / np.maximum(np.sum(inverse**2, axis=1), 1e-300)
+    loose[index] = np.sum(inverse[:, lost] ** 2, axis=1) / np.maximum(np.sum(inverse**2, axis=1), 1e-300)
     condition = 1.0 / max(float(ratios.min(initial=1.0)), 1e-300)
-    return Uncertainty(
-        fitted.model.parameters, fitted.z, within[:p, :p], freedom, pulls[:, :p], loose, condition, moved[:p]
-    )
+    if beside[0].shape[1]:
+        j, c, r = np.vstack(slopes), np.vstack([one[:, p:] for one in here.slopes]), np.concatenate(residuals)
+        shift = -spread @ (spread.T @ (j.T @ c))
+        pull = j.T @ r + prior * fitted.z[index]
+        shares = _shares(c.T @ (c + j @ shift), -(c.T @ r + shift.T @ pull), share)
+        moved[np.ix_(index, index)] = shift @ shares @ shift.T
+    return Uncertainty(fitted.model.parameters, fitted.z, within, freedom, pulls, loose, condition, moved)
+
+
+def _shares(precision: np.ndarray, pull: np.ndarray, share: float) -> np.ndarray:
+    """Return the mean squares and products (k, k) of shares b of columns, whose amplitude a the tests show.
+
+    Args:
+        precision: (k, k) of b by the tests, parameters fitted beside.
+        pull: (k,) precision times the best b.
+        share: scale of the half-Cauchy prior of a, its median.
+    """
+    squares, vectors = np.linalg.eigh(precision)
+    seen, found = np.maximum(squares, 0.0), pull @ vectors
+    a2 = _AMPLITUDES[:, np.newaxis] ** 2
+    variance = a2 / (1.0 + a2 * seen)
+    log = 0.5 * np.sum(variance * found**2 - np.log1p(a2 * seen), axis=1)
+    log += np.log(_AMPLITUDES) - np.log1p((_AMPLITUDES / share) ** 2)  # their steps are logarithmic
+    odds = np.exp(log - log.max())
+    means = variance * found
+    squared = np.einsum("a,aj,ak->jk", odds, means, means) + np.diag(odds @ variance)
+    return np.asarray(vectors @ squared @ vectors.T / odds.sum())
 
 
 def at_bounds(fitted: Fit) -> tuple[str, ...]:

@@ -70,7 +70,7 @@ def found_friction(found: Calibration) -> Effect:
     (effect,) = found.effects
     assert (found.verdict, effect.label) == ("explained", "friction.coulomb")
     low, high = effect.parameters["F_c"].interval
-    assert low < F_C < high and high - low < 0.4 * F_C  # another equation of friction would have another force
+    assert low < F_C < high and high - low < 0.03 * F_C
     return effect
 
 
