@@ -26,8 +26,8 @@ class SearchSettings:
             differ from it: the nearest one leaves 7 to 50 % (quartiles) of a form that is left out, 21 % in the median.
         own_discrepancy: the same in a way that no other equation of it has: all others together leave 3 to 29 %, 8 % in
             the median.
-        median_discrepancy: median share of what an effect does by which its equation is wrong, of which the tests show how
-            much it is: the median that the nearest other equation leaves. A half-Cauchy prior of that median has the
+        median_discrepancy: median share of what an effect does by which its equation is wrong, where the tests show how
+            much it is: the median that the nearest other equation leaves. A half-Cauchy prior with that median has the
             quartiles 9 and 51 %, those forms 7 and 50 %.
         least: root mean square of what an effect explains beside the others, of that of what was measured. Less is not
             separated from the instruments: a force transducer of class 1 reproduces no better (ISO 376:2011, table 2).

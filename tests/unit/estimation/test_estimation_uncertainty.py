@@ -42,10 +42,10 @@ def test_intervals_cover_with_correlated_residuals(tests: int, bias: float) -> N
 
 
 def test_intervals_hold_the_truth_where_an_equation_is_wrong() -> None:
-    """Shares b ~ N(0, a^2) of two columns that the model has not, of an amplitude a from half-Cauchy's prior, and noise.
+    """Shares b ~ N(0, a^2) of two columns that the model has not, of an amplitude a from its prior, and noise.
 
     The reference is generalised least squares of all samples, with the covariance s^2 I + a^2 C C', and the likelihood
-    of that a: the mean square of what it moves the estimate by, over a fine grid of a. No estimator of the code is in it.
+    of that a: the mean square of what it moves the estimate by, over a fine grid of a. No code of the estimator is used.
     """
     generator, n, tests, share = np.random.default_rng(5), 60, 6, 0.2
     x = [np.sin(np.arange(n) / (4.0 + i))[:, np.newaxis] for i in range(tests)]

@@ -47,7 +47,7 @@ def test_intervals_hold_what_the_specimen_has(hard):
     truth = {"k": FOURTH * effect.fixed["r"] ** 3, "p": 4.0}
     for name, value in truth.items():
         low, high = effect.parameters[name].interval
-        # stiffness and power know each other: the force is 2 % of the whole, and noise half of that
+        # beside another stiffness it makes 0.8 % of the force, and noise is 1 %
         assert low < value < high and high - low < 0.25 * value
     for name, value in {"k": K, "c": C}.items():
         low, high = found.parameters["corrected"][name].interval
