@@ -45,7 +45,7 @@ def test_intervals_hold_the_truth_where_an_equation_is_wrong() -> None:
     """Shares b ~ N(0, a^2) of two columns that the model has not, of an amplitude a from its prior, and noise.
 
     The reference is generalised least squares of all samples, with the covariance s^2 I + a^2 C C', and the likelihood
-    of that a: the mean square of what it moves the estimate by, over a fine grid of a. No code of the estimator is used.
+    of that a: the mean square of what it moves the estimate by, over a fine grid of a. No code of the package is used.
     """
     generator, n, tests, share = np.random.default_rng(5), 60, 6, 0.2
     x = [np.sin(np.arange(n) / (4.0 + i))[:, np.newaxis] for i in range(tests)]
