@@ -1,19 +1,22 @@
 """The test that agrees least with the others: what it leaves, left out, beside what these leave of each other.
 
-The excess of a test is what it leaves, left out, beyond the noise of its channels, as a share of the size of what was
-measured. Each pair of tests i and j is left out of the fit, so that both are predicted by as many:
+Each pair of tests i and j is left out of the fit, so that both are predicted by as many. What a test then leaves beyond
+the noise of its channels, as a share of the size of what was measured, is asked twice. One is all of it, the other the
+part q_s along its m slopes, in which it says something else of the parameters than the others do:
 
-    e = (q - 1) w/P        t_i^2 = min over j of e_i|-ij / (A_i + B_i)        B_i = mean over j of max(e_j|-ij, 0)
+    e   = (q/n - 1) w/P        A   = sqrt(2/10) w/P                    t^2 = min over j of e_i|-ij / A_i
+    e_s = (q_s - m) w/(n P)    A_s = sqrt(2 m + 2 m^2/10) w/(n P)      t_s^2 = min over j of e_s,i|-ij / (A_s,i + B_i)
+                                                                     B_i = mean over j of max(e_s,j|-ij, 0)
 
-q is the mean square in units of the noise, freed of what the others do not determine; w and P are the variance of the
-noise and the mean square of the measured values. A_i is how far the noise is known, with ten degrees of freedom, and
-B_i the scatter from test to test, with T - 2. Those of their sum are Satterthwaite's. The largest of T ratios has
-Bonferroni's bound. Where a model has a fault in test i, B_i is the mean of e_j|-j beside it: test i without its fault
-says of the law what few other tests do not.
+q is the square of n samples in units of the noise, freed of what the others do not determine; w and P are the variance
+of the noise and the mean square of the measured values. A is how far the noise is known, with ten degrees of freedom.
+B_i is the scatter from test to test, and has T - 2: of three tests, two agree by chance one time in a hundred to
+1/190 of what the third is off by. The less sure one of both counts. The largest of T ratios has Bonferroni's bound.
+Where a model has a fault in test i, B_i is the mean of e_s,j|-j beside it: test i without its fault says of the law
+what few other tests do not.
 
 Sources: Cook and Weisberg (1982), Residuals and influence in regression, section 2.2 (the largest of all externally
-studentized residuals); Chow (1960), Econometrica 28, 591-605 (tests predicted by a fit without them); Satterthwaite
-(1946), Biometrics Bulletin 2, 110-114.
+studentized residuals); Chow (1960), Econometrica 28, 591-605 (tests predicted by a fit without them).
 """
 
 from __future__ import annotations
@@ -29,6 +32,7 @@ from edesign.estimation.noise import Noise
 
 _CHANCE = 0.01  # with which one of all tests may seem not to agree with the others
 _FEWEST = 3  # tests: of two that differ either one may be wrong
+_SEEN = 1e-10  # eigenvalue of normal matrices with ones on the diagonal: a direction in which a test has slopes
 
 
 @dataclass(frozen=True)
@@ -37,7 +41,7 @@ class Outlier:
 
     Attributes:
         test: index of it.
-        ratio: Student's t of what it leaves, left out, beside the noise and what the others leave of each other.
+        ratio: Student's t of what it leaves along its slopes, beside noise and what the others leave of each other.
         chance: of such a ratio in one of all tests, at most.
         evaluations: sets of parameters for which tests were predicted.
     """
@@ -65,34 +69,48 @@ def outlier(fitted: Fit, noise: Noise, explained: tuple[int, Fit] | None = None)
     tests, here = len(fitted.predicted), Linear.of(fitted, noise, None)
     if tests < _FEWEST:
         return None
-    share = [1.0 / (noise.weight(i) ** 2 * float(np.mean(y**2))) for i, y in enumerate(fitted.model.measured)]
+    samples = np.array([f.size for f in fitted.predicted])
+    share = np.array([noise.variance[i] / float(y @ y) for i, y in enumerate(fitted.model.measured)])
     found, evaluations = list[Outlier](), 0
 
-    def excess(at: Linear, test: int, *others: int) -> float:
-        """Return what a test leaves of a fit to all but it and others; nan: these do not determine it."""
+    def excess(at: Linear, test: int, *others: int) -> np.ndarray:
+        """Return what a test leaves of a fit to all but it and others, and of that the part along its slopes.
+
+        It is nan where these do not determine it.
+        """
         step = at.step(test, *others)
         if step is None:
-            return math.nan
-        square = at.predicted(test, step, *others)[0] / noise.independent(test, fitted.predicted[test].size)
-        return (square - 1.0) * share[test]
+            return np.full(2, math.nan)
+        square, along, seen = at.predicted(test, step, *others)[0], *_along(at, test, step)
+        return np.array([square - samples[test], square - at.power(step)[test] + along - seen]) * share[test]
 
     for i in range(tests) if explained is None else explained[:1]:
         at, _, spent = without(here, fitted, noise, None, i)
         evaluations += spent
         rest = [j for j in range(tests) if j != i]
-        own = min(excess(at, i, j) for j in rest)
+        whole, part = np.min([excess(at, i, j) for j in rest], axis=0)
         if explained is None:
-            others = [max(excess(at, j, i), 0.0) for j in rest]
+            others = [excess(at, j, i)[1] for j in rest]
         else:
             there = Linear.of(explained[1], noise, None)
             apart = [without(there, explained[1], noise, None, j) for j in rest]
             evaluations += sum(one[2] for one in apart)
-            others = [max(excess(one[0], j), 0.0) for one, j in zip(apart, rest, strict=True)]
-        known = math.sqrt(2.0 / PRIOR_FREEDOM) * share[i]
-        scatter = sum(others) / len(others)
-        freedom = (known + scatter) ** 2 / (known**2 / PRIOR_FREEDOM + scatter**2 / (len(others) - 1.0))
-        ratio = math.sqrt(max(own, 0.0) / (known + scatter))
-        if math.isfinite(ratio):
-            found.append(Outlier(i, ratio, min(1.0, 2.0 * tests * float(stdtr(freedom, -ratio)))))
+            others = [excess(one[0], j)[1] for one, j in zip(apart, rest, strict=True)]
+        scatter = float(np.mean(np.maximum(others, 0.0)))
+        free = np.array([samples[i], _along(at, i, at.start)[1]])
+        known = np.sqrt(2.0 * free**2 / PRIOR_FREEDOM + [0.0, 2.0 * free[1]]) * share[i]
+        ratios = np.sqrt(np.maximum([whole, part], 0.0) / np.maximum(known + [0.0, scatter], 1e-300))
+        if np.isfinite(ratios).all():
+            chance = 2.0 * tests * float(np.max(stdtr([PRIOR_FREEDOM, tests - 2.0], -ratios)))
+            found.append(Outlier(i, float(ratios[1]), min(1.0, chance)))
     least = min(found, key=lambda one: one.chance, default=None)
     return None if least is None else Outlier(least.test, least.ratio, least.chance, evaluations)
+
+
+def _along(at: Linear, test: int, step: np.ndarray) -> tuple[float, int]:
+    """Return the square of what a test leaves along its slopes after a step, and how many directions these have."""
+    length = np.sqrt(np.maximum(np.diag(at.normals[test]), 1e-300))
+    values, vectors = np.linalg.eigh(at.normals[test] / np.outer(length, length))
+    seen = values > _SEEN * max(float(values.max(initial=0.0)), 1e-300)
+    pull = ((at.pulls[test] + at.normals[test] @ step) / length) @ vectors[:, seen]
+    return float(np.sum(pull**2 / values[seen])), int(seen.sum())

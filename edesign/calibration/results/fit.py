@@ -16,7 +16,6 @@ from edesign.calibration.search.adoption import STEPS
 from edesign.calibration.search.models import FittedModel, Fitter
 from edesign.calibration.search.problem import Problem
 from edesign.calibration.search.settings import SETTINGS, SearchSettings
-from edesign.estimation.least_squares import Fit, fit
 from edesign.estimation.model import PredictionError
 from edesign.estimation.noise import Noise
 from edesign.estimation.uncertainty import Uncertainty, at_bounds, uncertainty
@@ -58,12 +57,6 @@ def estimates(model: FittedModel) -> list[Estimate]:
 
 
 @lru_cache(maxsize=1)
-def _freed(model: FittedModel) -> Fit:
-    """Return the fit with slopes to all parameters: what is kept as declared is no better known than by the tests."""
-    return fit(model.fit.model, model.noise, model.fit.z, 0) if model.fit.held else model.fit
-
-
-@lru_cache(maxsize=1)
 def model_uncertainty(model: FittedModel) -> Uncertainty:
     """Return the uncertainty of a model whose effects may have other equations.
 
@@ -73,7 +66,7 @@ def model_uncertainty(model: FittedModel) -> Uncertainty:
 
     Source: Plumlee (2017), J. Am. Statist. Assoc. 112, 1274-1285 (parameters of a model that is not exact).
     """
-    fitter, fitted = unbounded(model.problem, SETTINGS), _freed(model)
+    fitter, fitted = unbounded(model.problem, SETTINGS), model.freed
     slopes = np.vstack(fitted.slopes)
     sizes = [f.size for f in model.fit.predicted]
     weights = np.repeat([model.noise.weight(i) for i in range(len(sizes))], sizes)[:, np.newaxis]
@@ -90,7 +83,7 @@ def model_uncertainty(model: FittedModel) -> Uncertainty:
 
 
 def _estimates(model: FittedModel) -> list[Estimate]:
-    of, sure, found = _freed(model), model_uncertainty(model), list[Estimate]()
+    of, sure, found = model.freed, model_uncertainty(model), list[Estimate]()
     for i, (one, bound) in enumerate(zip(of.model.parameters, at_bounds(of), strict=True)):
         value, alone = float(model.fit.values[i]), np.eye(sure.z.size)[i]
         rate = one.spread * (one.value(float(sure.z[i])) if one.logarithmic else 1.0)  # for a change of its coordinate

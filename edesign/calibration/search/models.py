@@ -151,6 +151,11 @@ class FittedModel:
         return Noise.left_by(self.left, self.problem.deviations, self.problem.sizes)
 
     @cached_property
+    def freed(self) -> Fit:
+        """Its fit with slopes to all parameters: what is kept as declared is no better known than by the tests."""
+        return fit(self.fit.model, self.noise, self.fit.z, 0) if self.fit.held else self.fit
+
+    @cached_property
     def nrms(self) -> float:
         """NRMS: sum of squares of what it leaves over that of what was measured, no root."""
         left, measured = (np.concatenate(each) for each in (self.left, self.fit.model.measured))
@@ -374,13 +379,14 @@ class Fitter:
             if faulty is not None:
                 of = faulty.effects[index].tests[0], self._with_known_faults(faulty, index)
             found = outlier(self._with_known_faults(model), Noise.white(self.problem.deviations), of)
-            self.effort.spend(0 if found is None else found.evaluations, model.effects)
+            slopes = model.freed.evaluations if model.fit.held else 0
+            self.effort.spend(slopes + (0 if found is None else found.evaluations), model.effects)
             self._outliers[key] = model, faulty, found
         return self._outliers[key][2]
 
     def _with_known_faults(self, model: FittedModel, free: int = -1) -> Fit:
         """Return the fit of a model with faults in one test, but one, that have the values found, and no spread."""
-        effects, scale, values = list(model.effects), np.ones(model.fit.z.size), model.fit.values
+        effects, scale, values, of = list(model.effects), np.ones(model.fit.z.size), model.fit.values, model.freed
         for index, effect in enumerate(effects):
             if len(effect.tests) == 1 and index != free:
                 places = model.places(index)
@@ -388,9 +394,9 @@ class Fitter:
                 own = zip(effect.parameters, values[places], strict=True)
                 known = tuple(replace(one, centre=float(value), spread=_KNOWN * one.spread) for one, value in own)
                 effects[index] = replace(effect, parameters=known)
-        z = np.where(scale == 1.0, model.fit.z, 0.0)
-        slopes = tuple(j * scale for j in model.fit.slopes)
-        return replace(model.fit, model=self.problem.model(effects), z=z, slopes=slopes)
+        z = np.where(scale == 1.0, of.z, 0.0)
+        slopes = tuple(j * scale for j in of.slopes)
+        return replace(of, model=self.problem.model(effects), z=z, slopes=slopes)
 
     def noise(self, left: Noise, known: FittedModel, names: frozenset[str] | None = None) -> Noise:
         """Return the noise by which models are compared.
