@@ -8,7 +8,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-_FIRST = 0.05  # of the size of measured values: what a fair model leaves
+FIRST = 0.05
+"""Of the size of measured values: what a fair model leaves."""
 _LEAST = 1e-12  # share of the largest size of measured values: no residual is known to be smaller
 
 
@@ -46,7 +47,7 @@ class Noise:
             deviations: (tests,) standard deviations of the channels' noise.
             sizes: (tests,) root mean square of the measured values.
         """
-        return Noise.white([max(_FIRST * size, one) for one, size in zip(deviations, sizes, strict=True)])
+        return Noise.white([max(FIRST * size, one) for one, size in zip(deviations, sizes, strict=True)])
 
     @staticmethod
     def left_by(residuals: Sequence[np.ndarray], deviations: Sequence[float], sizes: Sequence[float]) -> Noise:

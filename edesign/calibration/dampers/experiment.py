@@ -37,7 +37,8 @@ class Experiment:
         motion_noise: standard deviation of the force that noise of the displacement makes through the law, N.
         interpolation_noise: that of the force that the law makes of what is not known of the motion between samples, N.
         noise_measured: whether the noise of the force channel was, in this or in another test; it is assumed otherwise.
-        weight: (n,) factors of a residual that make its noise as strong at all times; None: it is.
+        local_noise: (n,) standard deviation of that noise at each sample, N; None: it is as strong at all times.
+        discrepancy: standard deviation of what a model leaves beside it, N.
         start: how its record starts away from rest; None: at rest.
         full: the test at full rate, if this is not.
         conditions: that the test declares, by name, in units of the campaign.
@@ -59,7 +60,8 @@ class Experiment:
     motion_noise: float = 0.0
     interpolation_noise: float = 0.0
     noise_measured: bool = True
-    weight: np.ndarray | None = None
+    local_noise: np.ndarray | None = None
+    discrepancy: float = 0.0
     start: Start | None = None
     full: Experiment | None = None
     conditions: Mapping[str, float] = field(default_factory=dict)
@@ -105,10 +107,30 @@ class Experiment:
 
     @cached_property
     def weights(self) -> np.ndarray:
-        """Factors (n,) of the residuals: 0 where they are not judged, for which the others stand."""
-        size = self.motion.time.size
-        found = np.where(self.judged, 1.0 if self.weight is None else self.weight, 0.0)
-        return found * math.sqrt(size / max(int(np.count_nonzero(self.judged)), 1))
+        """Factors (n,) of the residuals, of mean square 1: 0 where they are not judged, for which the others stand.
+
+        They make noise, with what a model leaves beside it, as strong at all times.
+        """
+        both = 1.0 if self.local_noise is None else np.hypot(self.local_noise, self.discrepancy)
+        found = np.where(self.judged, 1.0 / both, 0.0)
+        return found / max(float(np.sqrt(np.mean(found**2))), 1e-300)
+
+    @cached_property
+    def rms_force(self) -> float:
+        """Root mean square of the force that is judged, N."""
+        return float(np.sqrt(np.mean(self.force[self.judged] ** 2))) if np.any(self.judged) else 0.0
+
+    @cached_property
+    def weighted_noise(self) -> float:
+        """Standard deviation of the noise of weighted residuals, N."""
+        if self.local_noise is None:
+            return self.noise
+        return float(np.sqrt(np.mean((self.weights * self.local_noise) ** 2)))
+
+    def weighed(self, discrepancy: float) -> Experiment:
+        """Return the test with residuals weighted by its noise and by what a model leaves beside it, N."""
+        full = None if self.full is None else self.full.weighed(discrepancy)
+        return replace(self, discrepancy=discrepancy, full=full)
 
     @cached_property
     def work(self) -> float:
@@ -130,7 +152,7 @@ class Experiment:
             self,
             motion=self.motion.thinned(stride),
             force=np.ascontiguousarray(self.force[::stride]),
-            weight=None if self.weight is None else np.ascontiguousarray(self.weight[::stride]),
+            local_noise=None if self.local_noise is None else np.ascontiguousarray(self.local_noise[::stride]),
             clipped=None if self.clipped is None else self.clipped[::stride],
             spikes=None if self.spikes is None else self.spikes[::stride],
             motion_spikes=None if self.motion_spikes is None else self.motion_spikes[::stride],

@@ -31,7 +31,7 @@ from edesign.damper.testing.start import SOFTENED, Recorded, Start, extremes_bef
 from edesign.errors import InputError
 from edesign.estimation.least_squares import Fit, fit
 from edesign.estimation.model import PredictionError
-from edesign.estimation.noise import Noise
+from edesign.estimation.noise import FIRST, Noise
 
 _UNKNOWN = 2.0  # standard deviation of the logarithm of a parameter of which only the order of magnitude is known
 _STARTS, _WIDE = 4, 0.7  # of the law alone; standard deviation of the logarithm of their parameters
@@ -91,7 +91,7 @@ def _prepared(
     )
     predicted = _declared_forces(problem, campaign)
     _check_forces(problem, campaign, predicted)
-    noisy = problem.with_experiments(with_noise(problem, predicted, _forces))
+    noisy = problem.with_experiments(with_noise(problem, predicted, _forces)).weighed(FIRST**2)
     thin = noisy.with_experiments([one.thinned() for one in noisy.experiments])
     started = _started(thin, campaign)
     fitted = [problem.experiments[i] for i in problem.fitted]
@@ -106,7 +106,20 @@ def _prepared(
         )
     with suppress(PredictionError):
         predicted = _forces(replace(problem, declared=found.law_values(alone.values())))
-    return replace(found, alone=alone), predicted
+    return _weighed(replace(found, alone=alone)), predicted
+
+
+def _weighed(problem: DamperProblem) -> DamperProblem:
+    """Return the problem with residuals weighted by their noise, and by what a model leaves beside it.
+
+    That is no more than a fair model leaves: where the law alone leaves more, effects are to be found.
+    """
+    model = problem.model(())
+    (forces,) = model.predict(np.array([problem.start]))
+    if isinstance(forces, PredictionError):
+        return problem
+    left = [y - f for y, f in zip(model.measured, forces, strict=True)]
+    return problem.weighed(min(problem.share_of(left), FIRST**2))
 
 
 def _started(problem: DamperProblem, campaign: Campaign) -> DamperProblem:
@@ -248,7 +261,7 @@ def _start(problem: DamperProblem, index: int, test: DamperTest) -> Start | None
         start = find_start(record, test.start, test.ramp, force_of, SearchSettings.own_discrepancy)
         if start is None or start.known or problem.law.name not in SOFTENED:
             return start
-        weight = np.ones(motion.time.size) if one.weight is None else one.weight
+        weight = np.ones(motion.time.size) if one.local_noise is None else one.noise / one.local_noise
         first, known = start.first(motion.time), (motion.time, motion.displacement, motion.velocity)
         prior = extremes_before(record, first, weight, lambda prior: force_of(*known, prior))
     except CoreError:  # a test that the law cannot predict from another beginning keeps the usual one

@@ -217,13 +217,12 @@ def _noisy(test: Experiment, predicted: np.ndarray, power: np.ndarray, between: 
         power, between: (n,) N^2, mean squares of both in the predicted force.
     """
     if not (np.any(power) or np.any(between)):
-        return replace(test, motion_noise=0.0, interpolation_noise=0.0)
+        return replace(test, motion_noise=0.0, interpolation_noise=0.0, local_noise=None)
     wide = min(max(int(_EVENED / float(np.median(test.motion.steps))), 1), test.force.size)
     # as many times larger as the force is than the law's
     times = float(test.force @ test.force) / max(float(predicted @ predicted), 1e-300)
     times = min(max(times, 1.0 / _MOST_TIMES), _MOST_TIMES)
     power, between = (times * uniform_filter1d(one, wide, mode="nearest") for one in (power, between))
-    all_of_it = power + between + test.channel_noise**2
-    weight = np.sqrt(np.mean(all_of_it) / all_of_it)
+    local = np.sqrt(power + between + test.channel_noise**2)
     of_motion, of_interpolation = (float(np.sqrt(np.mean(one))) for one in (power, between))
-    return replace(test, motion_noise=of_motion, interpolation_noise=of_interpolation, weight=weight)
+    return replace(test, motion_noise=of_motion, interpolation_noise=of_interpolation, local_noise=local)

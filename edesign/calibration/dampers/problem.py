@@ -82,8 +82,8 @@ class DamperProblem(TestedProblem):
 
     @cached_property
     def deviations(self) -> tuple[float, ...]:
-        """Standard deviation of the noise of each test that is fitted, N."""
-        return tuple(self.experiments[i].noise for i in self.fitted)
+        """Standard deviation of the noise of weighted residuals of each test that is fitted, N."""
+        return tuple(self.experiments[i].weighted_noise for i in self.fitted)
 
     @cached_property
     def sizes(self) -> tuple[float, ...]:
@@ -94,7 +94,7 @@ class DamperProblem(TestedProblem):
     def input_noise(self) -> float:
         """Share of the power of the force that the law makes of noise of the displacement, and of its interpolation."""
         fitted = [self.experiments[i] for i in self.fitted]
-        noise = sum(one.force.size * (one.motion_noise**2 + one.interpolation_noise**2) for one in fitted)
+        noise = sum(one.force.size * max(one.weighted_noise**2 - one.channel_noise**2, 0.0) for one in fitted)
         return noise / sum(one.force.size * size**2 for one, size in zip(fitted, self.sizes, strict=True))
 
     @cached_property
@@ -194,6 +194,24 @@ class DamperProblem(TestedProblem):
             experiments: all tests in their order.
         """
         return replace(self, experiments=tuple(experiments))
+
+    def share_of(self, left: Sequence[np.ndarray]) -> float:
+        """Return the share of the power of the force that a model leaves beside noise.
+
+        Args:
+            left: weighted residuals (n_i,) N of each test that is fitted.
+        """
+        sizes = np.array([one.size for one in left])
+        noise, power = (sizes @ np.square(each) for each in (self.deviations, self.sizes))
+        return max(float(sum(one @ one for one in left) - noise), 0.0) / max(float(power), 1e-300)
+
+    def weighed(self, share: float) -> DamperProblem:
+        """Return the problem with residuals weighted by noise, and by what a model leaves beside it.
+
+        Args:
+            share: of the power of the force, in all tests.
+        """
+        return self.with_experiments([one.weighed(math.sqrt(share) * one.rms_force) for one in self.experiments])
 
     @cached_property
     def full_rate(self) -> DamperProblem:

@@ -119,7 +119,7 @@ def nuisances_of(whole: DamperProblem, model: FittedModel, forces: Sequence[np.n
     predicted, slopes = _slopes(whole, model)
     freed = [w * (one.force - f) for w, one, f in zip(of_tests.weights, whole.experiments, forces, strict=True)]
     sizes = [float(np.sqrt(np.mean(y**2))) for y in of_tests.measured]
-    noise = Noise.left_by(freed, [one.noise for one in whole.experiments], sizes)
+    noise = Noise.left_by(freed, [one.weighted_noise for one in whole.experiments], sizes)
     known = uncertainty(model.fit, model.noise).within
     found = {
         one.name: _Amplitudes.of(

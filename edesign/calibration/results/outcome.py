@@ -56,11 +56,13 @@ class DamperOutcome(Evidence[Sequence[np.ndarray]]):
         problem: DamperProblem = found.base.problem  # type: ignore[assignment]
         best = found.best.fit
         near = {one.name: float(value) for one, value in zip(problem.base, best.values, strict=False)}
-        whole, thin = replace(problem.full_rate, near=near), unbounded(problem, settings)
-        fitter = unbounded(whole, settings)
+        every, thin = replace(problem.full_rate, near=near), unbounded(problem, settings)
+        # residuals are weighted by what a model leaves beside noise: the law alone, and the best one
+        whole = every.weighed(problem.share_of(found.best.left))
+        alone, fitter = unbounded(every, settings), unbounded(whole, settings)
 
         def fitted() -> tuple[FittedModel, FittedModel, Kept]:
-            declared, refit = (at_full_rate(fitter, one) for one in (found.declared, found.base))
+            declared, refit = (at_full_rate(alone, one) for one in (found.declared, found.base))
             if not found.best.effects:
                 return declared, refit, Kept(refit)
 

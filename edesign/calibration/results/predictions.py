@@ -33,7 +33,7 @@ def predicted(problem: DamperProblem, effects: Sequence[Effect], values: np.ndar
     for one, force, nuisances in zip(problem.experiments, forces, model.nuisances(values), strict=True):
         columns = joined(nuisances, True)
         if columns is not None:
-            weights, prior = one.weights / one.noise, np.eye(columns.shape[1])
+            weights, prior = one.weights / one.weighted_noise, np.eye(columns.shape[1])
             rows = np.vstack((weights[:, np.newaxis] * columns, prior))
             left = np.concatenate((weights * (one.force - force), np.zeros(len(prior))))
             force = force + columns @ np.linalg.lstsq(rows, left, rcond=None)[0]
