@@ -71,6 +71,7 @@ class Form(Generic[A, S]):
     confounded: tuple[Form[A, S], ...] = ()
     twin: Form[A, S] | None = None
     negative: Words | None = None
+    exact: bool = False
 
     @property
     def label(self) -> str:
@@ -97,7 +98,9 @@ class Form(Generic[A, S]):
             tuple(one.effect(sizes) for one in self.confounded),
         )
         return Effect(
-            self.name, self.form, self.kind, parameters, starts, linear, self.nuisance, data, confounded=confounded
+            *(self.name, self.form, self.kind, parameters, starts, linear, self.nuisance, data),
+            confounded=confounded,
+            exact=self.exact,
         )
 
 

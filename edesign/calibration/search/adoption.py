@@ -206,7 +206,7 @@ class Adoption:
 
     def _errors(self, model: FittedModel, without: int = -1) -> float:
         """Return the share of the power of what was measured by which equations of effects, but one, may be wrong."""
-        sizes = [model.size(i) for i in range(len(model.effects)) if i != without]
+        sizes = [model.size(i) for i, one in enumerate(model.effects) if i != without and not one.exact]
         return self._fitter.settings.own_discrepancy**2 * sum(size**2 for size in sizes)
 
     def best_of(self, tried: Sequence[Tried], known: FittedModel) -> FittedModel | None:

@@ -410,7 +410,7 @@ class Fitter:
         """
         wrong = np.array([self.problem.deviations, self.problem.deviations]) ** 2
         for index in known.indices_of(names):
-            for i, change in enumerate(known.contribution(index)):
+            for i, change in enumerate(() if known.effects[index].exact else known.contribution(index)):
                 power = self.settings.own_discrepancy**2 * float(change @ change) / change.size
                 wrong[:, i] += power, power * correlation_length(change)
         variance = np.maximum(left.variance, wrong[0])

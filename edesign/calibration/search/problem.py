@@ -31,6 +31,7 @@ class Effect:
         confounded: what it may be by the tests that are fitted, which others separate; (): one thing alone.
         tests: indices of those that are fitted in which it acts; (): in all.
         log_prior: logarithm of the probability that it stands here, if it does in one of several places.
+        exact: whether its equation is right by what it is, as that of a constant: what that misses is another effect.
     """
 
     name: str
@@ -45,6 +46,7 @@ class Effect:
     confounded: tuple[Effect, ...] = ()
     tests: tuple[int, ...] = ()
     log_prior: float = 0.0
+    exact: bool = False
 
     @property
     def label(self) -> str:

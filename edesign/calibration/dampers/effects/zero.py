@@ -93,6 +93,7 @@ _CONSTANT = EffectForm(
     lambda s: (size("offset", "N", _CLASS * s.force, -s.force, s.force),),
     lambda s: ((_CLASS * s.force,),),
     meanings={"offset": "reading of the load cell under no force; negative: to the other side"},
+    exact=True,
 )
 _PER_TEST = replace(
     _CONSTANT,

@@ -156,6 +156,17 @@ def test_an_effect_is_judged_by_its_best_equation() -> None:
     assert result.best.label == "saw.true"
 
 
+def test_what_is_right_by_what_it_is_hides_nothing_small() -> None:
+    """A zero of the load cell is a constant. Were it wrong by a tenth, that would be more than what is hidden beside."""
+    zero = effect("zero", "constant", lambda p, i, u, v: p[0] + 0.0 * u)
+    like = effect("bulge", "cubic", lambda p, i, u, v: p[0] * (u**3 + 0.02 * u**5))
+    hidden = effect("hardening", "cubic", lambda p, i, u, v: p[0] * u**3)
+    problem = CurveProblem(effects=(zero, hidden, like), truth=((zero, (3.0,)), (hidden, (0.2,))), noise=0.003)
+    assert found(problem).best.names == {"zero"}
+    names = found(replace(problem, effects=(replace(zero, exact=True), hidden, like))).best.names
+    assert names in ({"zero", "hardening"}, {"zero", "bulge"})
+
+
 def test_an_effect_at_the_bound_of_its_size_is_another_one() -> None:
     """Half of what was measured is asked for by a size that may be a tenth."""
     shape = columns(7)
