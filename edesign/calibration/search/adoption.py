@@ -106,15 +106,18 @@ class Adoption:
         noise, is better and is none.
 
         Each effect is needed beside the others, whatever equations these have, and although these may be wrong. The
-        change of the base is needed likewise.
+        change of the base is needed likewise. What errors of the others excuse is needed if the others fall without it.
 
         Returns:
             The effects that are not known are in the order of what they explain; None: there are none.
         """
         fitter, explained = self._fitter, list[float]()
+        whole: tuple[FittedModel, list[float]] | None = None
         while model.effects:
             simpler = [one for i in self._idle(model) if (one := self._variants.omitting(model, i)) is not None]
-            if not simpler:
+            if simpler:
+                whole = None
+            else:
                 simpler, explained = self._needless(model, known)
             if not simpler and model.refits and (one := self._variants.as_declared(model)) is not None:
                 if not fitter.compare(model, one).sure:
@@ -124,10 +127,17 @@ class Adoption:
                 break
             # of two effects that do the same, the one stays that is something
             noise = fitter.noise(model.noise, known)
-            model = min(simpler, key=lambda one: (len(self._idle(one)), -fitter.score(one, noise).total))
+            rest = min(simpler, key=lambda one: (len(self._idle(one)), -fitter.score(one, noise).total))
+            excused = model.key in self.refused and self.refused[model.key].gate == "not_needed"
+            if excused and not rest.changes <= known.changes and fitter.compare(model, known).sure:
+                whole = whole or (model, explained)
+            model = rest
         # less than is known already is no step: the next depth would take it back
         if not model.effects or model.changes <= known.changes:
-            return None
+            if whole is None:
+                return None
+            model, explained = whole
+            del self.refused[model.key]
         new = [i for i, effect in enumerate(model.effects) if effect.name not in known.names]
         old = [i for i in range(len(model.effects)) if i not in new]
         return fitter.in_order(model, [*old, *sorted(new, key=lambda i: -explained[i])])

@@ -156,6 +156,25 @@ def test_an_effect_is_judged_by_its_best_equation() -> None:
     assert result.best.label == "saw.true"
 
 
+@pytest.mark.parametrize(("gate", "names"), [("not_needed", {"left", "right"}), ("small", set())])
+def test_errors_of_an_equation_excuse_nothing_where_that_is_not_known(
+    monkeypatch: pytest.MonkeyPatch, gate: str, names: set[str]
+) -> None:
+    """Two effects that nearly take each other off: alone neither is anything, and each would be excused by the other.
+    What instruments do not see is none, whatever falls with it."""
+    common = columns(21)
+    left, right = ([a + 0.1 * b for a, b in zip(common, columns(seed), strict=True)] for seed in (22, 23))
+    one, other = linear("left", left), linear("right", right)
+    problem = CurveProblem(effects=(one, other), truth=((one, (1.0,)), (other, (-1.0,))))
+    judged = Adoption._gate
+
+    def excused(self, model, index, *more):
+        return gate if model.effects[index].name == "right" else judged(self, model, index, *more)
+
+    monkeypatch.setattr(Adoption, "_gate", excused)
+    assert found(problem).best.names == names
+
+
 def test_what_is_right_by_what_it_is_hides_nothing_small() -> None:
     """A zero of the load cell is a constant. Were it wrong by a tenth, that would be more than what is hidden beside."""
     zero = effect("zero", "constant", lambda p, i, u, v: p[0] + 0.0 * u)
