@@ -53,6 +53,7 @@ class Form(Generic[A, S]):
         twin: the same equation as a part of something else, which no test can tell from it; None: there is none, or the
             campaign says what it is a part of.
         negative: title and signature where its size is below zero; None: they are the same, or it cannot be.
+        exact: whether its equation is right by what it is.
     """
 
     name: str

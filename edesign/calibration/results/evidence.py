@@ -227,7 +227,7 @@ class Evidence(ABC, Generic[T]):
         left = "" if reached else steps.guard("describing what is left", self.shape, NOT_DESCRIBED)
         compared: tuple[ComparedModel, ...] = ()
         if steps.ending != "interrupted":
-            compared = steps.guard(MODELS, lambda: self.standing.compared(), ())
+            compared = steps.guard(MODELS, lambda: self.standing.compared(self._fit_error), ())
         return Calibration(
             **{**vars(calibrated), "as_declared": not calibrated.law_fixed and not self.final.refits},
             verdict=verdict,
@@ -256,6 +256,15 @@ class Evidence(ABC, Generic[T]):
             failed=dict(steps.failed),
         )
 
+    def _fit_error(self, model: FittedModel) -> float:
+        """Return the NRMS of the tests fitted to, as all errors are; nan: a model cannot predict them."""
+        if model is self.standing.best:
+            return self.errors["corrected"].fit
+        try:
+            return self.errors_of(self.predict(model.effects, model.fit.values)).fit
+        except PredictionError:
+            return math.nan
+
     @cached_property
     def posterior(self) -> Posterior:
         """The posterior over the models of the search, about the one with the effects that were kept."""
@@ -270,8 +279,12 @@ class Evidence(ABC, Generic[T]):
         if self.final is self.kept.model:
             return self.posterior
         best = self.found.declared if self.plain == "declared" else self.found.base
-        withheld = {one.key: self.withheld for one in self.found.models if one.effects and self.withheld}
-        return Posterior.of(self.fitter, self.found, best, {**withheld, **self._refused})
+        refused, kept = self._refused, self.kept.model
+        if self.withheld:
+            others = f"not surely better than {kept.label}, which is withheld"
+            withheld = {one.key: others for one in self.found.models if one.effects}
+            refused = {**withheld, kept.key: self.withheld, **refused}
+        return Posterior.of(self.fitter, self.found, best, refused)
 
     @cached_property
     def _refused(self) -> dict[Key, str]:
@@ -279,7 +292,9 @@ class Evidence(ABC, Generic[T]):
         found = {key: refusal_words(one) for key, one in self.found.refused.items()}
         for one in self.kept.dropped:
             label = one.model.effects[one.index].label
-            found |= {m.key: f"{label}: {why_dropped(one)}" for m in self.found.models if label in m.key}
+            others = f"{label} was taken off {one.model.label} after the search"
+            found |= {m.key: others for m in self.found.models if label in m.key}
+            found[one.model.key] = f"{label}: {why_dropped(one)}"
         return found
 
     def effects(self, steps: Steps) -> tuple[tuple[Effect, ...], tuple[Hypothesis, ...]]:

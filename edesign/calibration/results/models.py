@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from types import MappingProxyType
@@ -136,16 +136,20 @@ class Posterior:
         far = [self.odds(i) < LEAST or self.behind(i).sure for i in range(len(self.models))]
         return (0, *(i for i, m in enumerate(self.models) if m.names != self.best.names and not far[i]))
 
-    def compared(self) -> tuple[ComparedModel, ...]:
-        """Return the models for people: the one that stands, then what is ahead of it, then the others."""
-        order = sorted(range(len(self.models)), key=lambda i: (i > 0, self.behind(i).total))
-        return tuple(self._compared(i) for i in order[:_SHOWN])
+    def compared(self, error: Callable[[FittedModel], float]) -> tuple[ComparedModel, ...]:
+        """Return the models for people: the one that stands, then what is ahead of it, then the others.
 
-    def _compared(self, i: int) -> ComparedModel:
+        Args:
+            error: NRMS of the tests fitted to by a model, of all samples alike.
+        """
+        order = sorted(range(len(self.models)), key=lambda i: (i > 0, self.behind(i).total))
+        return tuple(self._compared(i, error(self.models[i])) for i in order[:_SHOWN])
+
+    def _compared(self, i: int, error: float) -> ComparedModel:
         model, behind = self.models[i], self.behind(i)
         labels = tuple(effect.label for effect in model.effects)
         both = behind.total, behind.error
-        return ComparedModel(labels, model.refits, model.nrms, *both, float(self.probabilities[i]), self.why_not(i))
+        return ComparedModel(labels, model.refits, error, *both, float(self.probabilities[i]), self.why_not(i))
 
 
 def without(posterior: Posterior, index: int) -> tuple[FittedModel | None, Difference | None]:

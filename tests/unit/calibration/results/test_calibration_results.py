@@ -82,6 +82,16 @@ def test_the_errors_are_those_of_the_specimen(hard):
     )  # the law alone, fitted under another noise and at another sampling
 
 
+def test_models_are_told_with_the_errors_that_the_report_has_of_them(hard):
+    _, found = hard
+    stands, *others = found.models
+    assert stands.nrms == found.errors["corrected"].fit
+    alone = {one.refit: one.nrms for one in others if not one.effects}
+    for refit, stage in ((False, "declared"), (True, "refit")):
+        # fitted at the sampling of the search, not to all samples
+        assert refit not in alone or alone[refit] == pytest.approx(found.errors[stage].fit, rel=0.05)
+
+
 def test_the_law_file_makes_the_corrected_force_by_the_ordinary_path(hard, tmp_path: Path):
     tests, found = hard
     path = tmp_path / "law.yaml"
@@ -137,6 +147,9 @@ def test_effects_that_predict_validation_tests_worse_are_hypotheses_and_in_no_la
     assert found.effects == () and found.errors["corrected"] == found.errors[better]
     (one,) = found.hypotheses
     assert one.effect.name == "hardening" and "the validation tests are predicted worse" in one.why
+    # that is known of this model alone: the others were not asked
+    why = {each.effects: each.why_not for each in found.models if each.effects and each.why_not}
+    assert why.pop((one.effect.label,)) == one.why and not any("validation" in each for each in why.values())
     assert found.verdict == "nothing_found" and found.worst is not None
     assert found.law_file.stage == better and not found.law_file.effects and found.law_file.withheld == one.why
     text = law_text(found, tests)
