@@ -84,16 +84,21 @@ def other_law(
     campaign: Campaign,
     base: FittedModel,
     best: FittedModel,
+    validate: float,
     settings: SearchSettings,
 ) -> OtherLaw | None:
-    """Return the law that predicts the tests best, if it surely does better than the declared one fitted again.
+    """Return the law that predicts the tests best, if it does better than the declared one.
+
+    It surely predicts tests left out better than the declared law fitted again, or it leaves no more of the validation
+    tests than it explains of what the model that stands leaves: where few tests are fitted, the first is seldom sure.
 
     Args:
         base: the declared law fitted again, at the sampling of a fit.
-        best: the model with all effects, at that sampling.
+        best: the model that stands, at that sampling.
+        validate: NRMS of the validation tests by that.
 
     Returns:
-        None: no law does, or the declared one with its effects surely does better than any.
+        None: no law does, or the model that stands surely does better than any, or predicts validation tests better.
     """
     problem: DamperProblem = base.problem  # type: ignore[assignment]
     loadings = prepare(campaign.used_for("fit"))
@@ -101,7 +106,7 @@ def other_law(
     of_best = unbounded(problem, settings).noise(best.noise, best)
     for names in (RIVALS, SLOW_RIVALS):
         rivals = [r for name in names if name != problem.law.name and (r := _rival(base, observed, name))]
-        found = _better(base, best, rivals, of_best)
+        found = _better(base, best, rivals, of_best, validate, 1.0 - settings.share)
         if found is not None:
             return found
     return None
@@ -155,7 +160,9 @@ def _fitted(model: Model, noise: Noise, start: np.ndarray, steps: int) -> Fit | 
         return None
 
 
-def _better(base: FittedModel, best: FittedModel, rivals: Sequence[_Rival], of_best: Noise) -> OtherLaw | None:
+def _better(
+    base: FittedModel, best: FittedModel, rivals: Sequence[_Rival], of_best: Noise, validate: float, most: float
+) -> OtherLaw | None:
     found: OtherLaw | None = None
     problem: DamperProblem = base.problem  # type: ignore[assignment]
     for rival in rivals:
@@ -166,15 +173,15 @@ def _better(base: FittedModel, best: FittedModel, rivals: Sequence[_Rival], of_b
             continue
         ahead = difference(own, score(base.fit, noise, refits=True))
         behind = difference(score(best.fit, noise, refits=True), own)
-        if not ahead.sure or behind.sure or (found is not None and found.gain >= ahead.total):
+        if behind.sure or (found is not None and (found.sure, found.gain) >= (ahead.sure, ahead.total)):
             continue
         try:
             errors = errors_of(rival.problem, predicted(rival.problem, (), rival.fit.values))
             declared = errors_of(problem, predicted(problem, (), base.fit.values))
         except PredictionError:
             continue
-        if errors.validate < declared.validate:
+        if errors.validate < (validate if ahead.sure else most * validate):
             law = rival.problem.law
             both = ahead.total, ahead.error, errors.fit, declared.fit, errors.validate, declared.validate
-            found = OtherLaw(law.name, law.title, *both)
+            found = OtherLaw(law.name, law.title, *both, ahead.sure)
     return found

@@ -130,7 +130,8 @@ class DamperOutcome(Evidence[Sequence[np.ndarray]]):
 
     def other_law(self) -> OtherLaw | None:
         """Return a law that does better."""
-        return other_law(self.campaign, self.found.base, self.found.best, self.settings)
+        validate = self.errors["corrected"].validate
+        return other_law(self.campaign, self.found.base, self.standing.best, validate, self.settings)
 
     def outlying(self) -> tuple[OutlyingTest, ...]:
         """Return tests that do not agree with the others."""

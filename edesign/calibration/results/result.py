@@ -263,13 +263,14 @@ class LawFile:
 
 @dataclass(frozen=True)
 class OtherLaw:
-    """A law of the registry that, without any effect, predicts tests left out better than the declared one.
+    """A law of the registry that, without any effect, predicts tests better than the declared one.
 
     Attributes:
         law, title: its name, and what it is.
         gain, error: by how much better than the declared law fitted again (log density), and the error of that.
         nrms, own_nrms: of the tests fitted to: its own, and that of the declared law fitted again.
         validate, own_validate: of the validation tests.
+        sure: whether the gain is; otherwise the validation tests alone say so.
     """
 
     law: str
@@ -280,6 +281,7 @@ class OtherLaw:
     own_nrms: float
     validate: float
     own_validate: float
+    sure: bool = True
 
 
 @dataclass(frozen=True)

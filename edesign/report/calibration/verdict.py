@@ -60,10 +60,12 @@ def other_law_text(calibration: Calibration) -> str:
     if calibration.law_fixed:
         advice = f"Calibrate without `refit: false` first: {calibration.law} with other parameters may do as well."
     texts = [
-        f"Another law does better: {other.law} ({other.title}), without any effect, leaves an NRMS of "
+        f"Another law {'does' if other.sure else 'may do'} better: {other.law} ({other.title}), without any effect, "
+        "leaves an NRMS of "
         f"{percent(other.validate)} % of the validation tests, the law {calibration.law} {how} "
         f"{percent(other.own_validate)} %.",
-        f"It predicts tests left out better by {other.gain:.0f} ± {other.error:.0f} (log density).",
+        f"It predicts tests left out better by {other.gain:.0f} ± {other.error:.0f} (log density)"
+        + ("." if other.sure else ", which is not sure."),
         advice,
     ]
     if blamed:

@@ -195,6 +195,24 @@ def test_a_law_without_a_spring_is_reported_to_be_another(tmp_path: Path):
     assert verdict_text(found).startswith(f"Another law does better: {found.other_law.law}")
 
 
+@pytest.mark.parametrize(("share", "told"), [(1.0, True), (0.0, False)], ids=["worse", "better"])
+def test_a_law_that_few_tests_leave_open_is_told_if_it_predicts_validation_tests(
+    share: float, told: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    """Only if these are predicted worse by the model that stands."""
+    tests = campaign(tmp_path, tests=4)
+    viscous = replace(tests, law=LawChoice("viscous", {"c": f"{C / 1e6} kN*s/mm"}))
+    asked = outcome.other_law
+    monkeypatch.setattr(outcome, "other_law", lambda *of: asked(*of[:3], share * of[3], of[4]))
+    monkeypatch.setattr("edesign.calibration.results.other_law.sure", lambda _: False)
+    found = calibrate(viscous, replace(SETTINGS, depth=0), threads=1)
+    assert (found.other_law is not None) == told
+    if found.other_law is not None:
+        assert not found.other_law.sure and found.other_law.validate < 0.5 * found.errors["corrected"].validate
+        text = verdict_text(found)
+        assert text.startswith("Another law may do better: ") and "(log density), which is not sure." in text
+
+
 def test_the_worst_part_is_that_farthest_over_its_own_floor() -> None:
     # 1.4 times its floor is noise, with however many values; of few values more is
     every = ("quiet", 1.4e-4, 1e-4, 5000), ("few", 2.2e-4, 1e-4, 12), ("many", 2.6e-4, 1e-4, 5000)
