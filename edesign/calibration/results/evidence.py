@@ -271,7 +271,12 @@ class Evidence(ABC, Generic[T]):
         best, kept = self.found.best, self.kept.model
         if self.kept.dropped or best.fit.held != kept.fit.held:
             best = self.fitter.fit(kept.effects, kept.fit.values, best.noise, held=kept.fit.held) or best
-        return Posterior.of(self.fitter, self.found, best, self._refused)
+        return Posterior.of(self.fitter, self.found, best, self._refused, self._judged_by(best))
+
+    def _judged_by(self, stands: FittedModel) -> str:
+        """Return beside which law alone the search judged effects, for people; "" if that stands or it found some."""
+        best = self.found.best
+        return "" if best.effects or best.key == stands.key else f"the law {'fitted' if best.refits else 'as declared'}"
 
     @cached_property
     def standing(self) -> Posterior:
@@ -284,7 +289,7 @@ class Evidence(ABC, Generic[T]):
             others = f"not surely better than {kept.label}, which is withheld"
             withheld = {one.key: others for one in self.found.models if one.effects}
             refused = {**withheld, kept.key: self.withheld, **refused}
-        return Posterior.of(self.fitter, self.found, best, refused)
+        return Posterior.of(self.fitter, self.found, best, refused, self._judged_by(best))
 
     @cached_property
     def _refused(self) -> dict[Key, str]:

@@ -38,16 +38,22 @@ class Posterior:
         best: the model that stands.
         models: all of them, the best one first.
         refused: why some of them are none to adopt, for people, by their key.
+        judged_by: model beside which the search judged them, for people, if that is not the one that stands.
     """
 
     fitter: Fitter
     best: FittedModel
     models: tuple[FittedModel, ...]
     refused: Mapping[Key, str] = field(default_factory=dict)
+    judged_by: str = ""
 
     @staticmethod
     def of(
-        fitter: Fitter, found: Found, best: FittedModel, refused: Mapping[Key, str] = MappingProxyType({})
+        fitter: Fitter,
+        found: Found,
+        best: FittedModel,
+        refused: Mapping[Key, str] = MappingProxyType({}),
+        judged_by: str = "",
     ) -> Posterior:
         """Return the posterior over the models of a search.
 
@@ -55,9 +61,11 @@ class Posterior:
             fitter: of the problem at the sampling of a fit.
             best: the model that stands, at that sampling.
             refused: why models are none to adopt, for people, by their key.
+            judged_by: model beside which the search judged them, for people, if that is not the one that stands.
         """
         every = {model.key: model for model in (*found.models, found.best, best)}
-        return Posterior(fitter, best, (best, *(model for key, model in every.items() if key != best.key)), refused)
+        others = (model for key, model in every.items() if key != best.key)
+        return Posterior(fitter, best, (best, *others), refused, judged_by)
 
     @cached_property
     def _behind(self) -> tuple[Difference, ...]:
@@ -91,6 +99,8 @@ class Posterior:
             return self.refused[self.models[i].key]
         if i == 0 or not behind.total < 0.0:
             return ""
+        if self.judged_by and sure(Difference(-behind.total, behind.error)):
+            return f"not surely better than {self.judged_by}, beside which the search judged it"
         return f"ahead by less than the rule asks: {max(LEAST_GAIN, 2.0 * behind.error):.3g}"
 
     def probability(self, name: str) -> float:
