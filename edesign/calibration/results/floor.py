@@ -45,6 +45,7 @@ class Floor:
         thermal: (tests,) mean square of what an error of the thermometer changes, N^2.
         interpolation: (tests,) standard deviation, N, that `noise` has of motions that are not known between samples.
         measured: whether the noise was measured in any test.
+        times: mean square of what is left of all samples, each over the standard deviation of its own noise.
     """
 
     problem: DamperProblem
@@ -52,6 +53,7 @@ class Floor:
     thermal: tuple[float, ...]
     interpolation: tuple[float, ...]
     measured: bool
+    times: float = 1.0
 
     @staticmethod
     def under(problem: DamperProblem, model: FittedModel, forces: Sequence[np.ndarray]) -> Floor:
@@ -77,7 +79,8 @@ class Floor:
         thermal = [0.0 if d is None else float(np.mean(np.sum(d**2, axis=1))) for d in changes]
         measured = any(one.noise_measured for one in known) or not all(math.isnan(r) for r in repeats)
         between = tuple(one.interpolation_noise for one in known)
-        return Floor(problem, tuple(noise), tuple(thermal), between, measured)
+        over = [_over_own(*each) for each in zip(known, left, noise, thermal, strict=True)]
+        return Floor(problem, tuple(noise), tuple(thermal), between, measured, float(np.mean(np.concatenate(over))))
 
     def nrms(self, use: Use) -> float:
         """Return the NRMS over the tests of one use."""
@@ -97,7 +100,7 @@ class Floor:
 
         Noise that was measured nowhere is assumed, as the least that an instrument has: what a model leaves beyond it
         may be noise or not. And neither noise nor errors of interpolation are more than what a model of few parameters
-        leaves: an estimate that says so hides what is smaller.
+        leaves: an estimate that says so hides what is smaller. Noise of few samples hides what is left of the others.
         """
         fitted = [one for one in self.problem.experiments if one.use == "fit"]
         samples = sum(int(np.count_nonzero(one.judged)) for one in fitted)
@@ -120,6 +123,11 @@ class Floor:
                     f"the estimate {of}, {_percent(estimate)}, is more than the model leaves, {_percent(left)}: "
                     "whether something smaller is missing is not known"
                 )
+        if self.times > MOST and left <= MOST * floor:
+            return (
+                f"most of the noise is in few samples, and what is left of all is {self.times:.2g} times their own "
+                "noise (power)"
+            )
         return ""
 
     def worst(self, errors: Errors) -> Worst | None:
@@ -142,6 +150,18 @@ def only_noise(errors: Errors, floor: Mapping[Use, float], worst: Worst | None) 
     """
     every: Mapping[Use, float] = {"fit": errors.fit, "validate": errors.validate}
     return worst is None and all(error <= MOST * floor[use] for use, error in every.items())
+
+
+def _over_own(one: Experiment, left: np.ndarray, noise: float, thermal: float) -> np.ndarray:
+    """Return the squares of what is left (n,) N of a test from the first sample that is judged, over its own noise.
+
+    Args:
+        one: with the noise of its channels.
+        noise: standard deviation of all noise of the test, N.
+        thermal: mean square of what an error of the thermometer changes, N^2.
+    """
+    local = one.noise if one.local_noise is None else judged(one, one.local_noise)
+    return np.asarray((left**2 / (local**2 + noise**2 - one.noise**2 + thermal))[judged(one, one.judged)])
 
 
 def _through(problem: DamperProblem, model: FittedModel, predicted: Sequence[np.ndarray]) -> Sequence[Experiment]:

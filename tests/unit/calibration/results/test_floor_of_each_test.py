@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -55,6 +56,27 @@ def test_the_worst_of_two_is_reported():
     floor, errors = floor_and_errors({2: 5.0, 6: 9.0})
     worst = floor.worst(errors)
     assert worst is not None and worst.name == "test 7"
+
+
+@pytest.mark.parametrize(("structure", "hidden"), [(0.0, False), (3.0 * NOISE, True)])
+def test_noise_of_few_samples_hides_nothing_of_the_others(structure: float, hidden: bool):
+    """Every 50th sample has 100 times the noise, as ends and corners of motions have: 201 times the power of all.
+
+    A sine of three times the noise of the others is left: ten times their noise in power, a fifth more of all.
+    """
+    tests, random = problem(), np.random.default_rng(1)
+    forces, noisy = [one.force for one in tests.experiments], []
+    for one, force in zip(tests.experiments, forces, strict=True):
+        local = np.where(np.arange(force.size) % 50, NOISE, 100.0 * NOISE)
+        left = local * random.standard_normal(force.size) + structure * np.sqrt(2.0) * np.sin(9.0 * one.motion.time)
+        rest = float(np.sqrt(np.mean(local**2) - NOISE**2))
+        noisy.append(replace(one, force=force + left, channel_noise=NOISE, motion_noise=rest, local_noise=local))
+    made = tests.with_experiments(noisy)
+    law = SimpleNamespace(effects=(), fit=SimpleNamespace(values=np.array([one.centre for one in made.base])))
+    floor, errors = Floor.under(made, law, forces), errors_of(made, forces)
+    assert only_noise(errors, {use: floor.nrms(use) for use in USES}, floor.worst(errors))
+    assert floor.times == pytest.approx(1.0 + 0.98 * (structure / NOISE) ** 2, rel=0.15)
+    assert ("most of the noise is in few samples" in floor.doubtful(errors, 2)) == hidden
 
 
 def test_an_error_of_the_thermometer_is_allowed_for():
