@@ -176,7 +176,7 @@ def test_errors_of_an_equation_excuse_nothing_where_that_is_not_known(
 
 
 def test_what_is_right_by_what_it_is_hides_nothing_small() -> None:
-    """A zero of the load cell is a constant. Were it wrong by a tenth, that would be more than what is hidden beside."""
+    """A zero of the load cell is a constant. Were it wrong by a tenth, that would be more than what is hidden."""
     zero = effect("zero", "constant", lambda p, i, u, v: p[0] + 0.0 * u)
     like = effect("bulge", "cubic", lambda p, i, u, v: p[0] * (u**3 + 0.02 * u**5))
     hidden = effect("hardening", "cubic", lambda p, i, u, v: p[0] * u**3)
