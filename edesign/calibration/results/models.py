@@ -99,7 +99,7 @@ class Posterior:
             return self.refused[self.models[i].key]
         if i == 0 or not behind.total < 0.0:
             return ""
-        if self.judged_by and sure(Difference(-behind.total, behind.error)):
+        if self.judged_by and Difference(-behind.total, behind.error).sure:
             return f"not surely better than {self.judged_by}, beside which the search judged it"
         return f"ahead by less than the rule asks: {max(LEAST_GAIN, 2.0 * behind.error):.3g}"
 

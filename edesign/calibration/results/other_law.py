@@ -25,7 +25,7 @@ from edesign.damper.laws import LAWS
 from edesign.damper.testing.campaign import Campaign
 from edesign.errors import EdesignError
 from edesign.estimation.least_squares import Fit, fit
-from edesign.estimation.left_out import difference, score
+from edesign.estimation.left_out import LEAST, difference, score
 from edesign.estimation.model import Model, PredictionError
 from edesign.estimation.noise import Noise
 from edesign.estimation.parameters import Parameter
@@ -89,8 +89,8 @@ def other_law(
 ) -> OtherLaw | None:
     """Return the law that predicts the tests best, if it does better than the declared one.
 
-    It surely predicts tests left out better than the declared law fitted again, or it leaves no more of the validation
-    tests than it explains of what the model that stands leaves: where few tests are fitted, the first is seldom sure.
+    It predicts tests left out better than the declared law fitted again, and the validation tests better than the model
+    that stands. Where few tests are fitted, the first is seldom sure by the rule: a gain that is not small is told too.
 
     Args:
         base: the declared law fitted again, at the sampling of a fit.
@@ -106,7 +106,7 @@ def other_law(
     of_best = unbounded(problem, settings).noise(best.noise, best)
     for names in (RIVALS, SLOW_RIVALS):
         rivals = [r for name in names if name != problem.law.name and (r := _rival(base, observed, name))]
-        found = _better(base, best, rivals, of_best, validate, 1.0 - settings.share)
+        found = _better(base, best, rivals, of_best, validate)
         if found is not None:
             return found
     return None
@@ -161,7 +161,7 @@ def _fitted(model: Model, noise: Noise, start: np.ndarray, steps: int) -> Fit | 
 
 
 def _better(
-    base: FittedModel, best: FittedModel, rivals: Sequence[_Rival], of_best: Noise, validate: float, most: float
+    base: FittedModel, best: FittedModel, rivals: Sequence[_Rival], of_best: Noise, validate: float
 ) -> OtherLaw | None:
     found: OtherLaw | None = None
     problem: DamperProblem = base.problem  # type: ignore[assignment]
@@ -173,14 +173,16 @@ def _better(
             continue
         ahead = difference(own, score(base.fit, noise, refits=True))
         behind = difference(score(best.fit, noise, refits=True), own)
-        if behind.sure or (found is not None and (found.sure, found.gain) >= (ahead.sure, ahead.total)):
+        if ahead.total <= LEAST or behind.sure:
+            continue
+        if found is not None and (found.sure, found.gain) >= (ahead.sure, ahead.total):
             continue
         try:
             errors = errors_of(rival.problem, predicted(rival.problem, (), rival.fit.values))
             declared = errors_of(problem, predicted(problem, (), base.fit.values))
         except PredictionError:
             continue
-        if errors.validate < (validate if ahead.sure else most * validate):
+        if errors.validate < validate:
             law = rival.problem.law
             both = ahead.total, ahead.error, errors.fit, declared.fit, errors.validate, declared.validate
             found = OtherLaw(law.name, law.title, *both, ahead.sure)

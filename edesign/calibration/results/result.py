@@ -270,7 +270,7 @@ class OtherLaw:
         gain, error: by how much better than the declared law fitted again (log density), and the error of that.
         nrms, own_nrms: of the tests fitted to: its own, and that of the declared law fitted again.
         validate, own_validate: of the validation tests.
-        sure: whether the gain is; otherwise the validation tests alone say so.
+        sure: whether the gain passes the rule of adoption; it is not small otherwise either.
     """
 
     law: str
