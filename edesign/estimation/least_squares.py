@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -81,6 +82,7 @@ class Fit:
         steps: that the search tried.
         converged: whether the search ended by itself.
         held: number of the first parameters that are kept at the centres of their priors, with slopes of zero.
+        gained: by which the last step decreased the objective; infinite where there was no search.
     """
 
     model: Model
@@ -92,6 +94,7 @@ class Fit:
     steps: int = 0
     converged: bool = True
     held: int = 0
+    gained: float = math.inf
 
     @cached_property
     def values(self) -> np.ndarray:
@@ -184,6 +187,7 @@ def fit(
     search = _Search(model, noise, settings, held)
     most = settings.steps if steps is None else steps
     fresh, damping, taken, idle, scale = slopes is None, _DAMPING, 0, 0, np.zeros(len(model.parameters))
+    gained = 0.0
     shortened = False  # differences at this point: where predictions jump, they may be too long however often
     if isinstance(start, Fit):
         here, rates = search.point(start.z, start.predicted), list(start.slopes)
@@ -204,18 +208,19 @@ def fit(
                 step = _inside(damped, np.append(pull, np.zeros(scale.size)), low, high)
                 (there,) = search.points((here.z + step)[np.newaxis])
                 damping, growth = damping * growth, 2.0 * growth
-            if there.objective < here.objective:
-                kept = (here.objective - there.objective) / max(_decrease(root, pull, step), 1e-300)
+            gained = max(here.objective - there.objective, 0.0)
+            if gained:
+                kept = gained / max(_decrease(root, pull, step), 1e-300)
                 damping *= 2.0 / growth * max(0.1, 1.0 - (2.0 * min(kept, 1.0) - 1.0) ** 3)
                 damping, fresh = max(damping, _LEAST), kept < (_POOR if settings.rough else _GOOD)
-                idle = idle + 1 if here.objective - there.objective <= enough else 0
+                idle = idle + 1 if gained <= enough else 0
                 rates = search.slopes(there, root) if fresh else search.updated(rates, here, there)
                 here, shortened = there, False
                 continue
             converged = fresh
         if settings.rough or (fresh and (shortened or not search.too_long(root))):
             ended = here.z, tuple(here.predicted), tuple(rates)
-            return Fit(model, noise, *ended, search.evaluations, taken, converged, held)
+            return Fit(model, noise, *ended, search.evaluations, taken, converged, held, gained)
         shortened = fresh
         rates, fresh, damping = search.slopes(here, root), True, min(damping, 1.0)
 

@@ -157,7 +157,8 @@ class Adoption:
                 continue
             noise = fitter.noise(model.noise, one)
             if fitter.difference(model, one, noise, one).sure and one is not known:
-                one = self._variants.with_best_forms(one, noise)
+                better = self._variants.with_better_forms(one, noise, fitter.settings.forms)
+                one = better if fitter.behind(better, model) else fitter.reweighted(better)
                 noise = fitter.noise(model.noise, one)
             explained.append(one.nrms - model.nrms)
             gate = self._gate(model, index, one, explained[-1], noise)
@@ -240,11 +241,12 @@ class Adoption:
             if explained <= self._errors(known) and not self._beats(one.model, others, noise, known):
                 self.refused[one.model.key] = Refusal("alike")
                 continue
-            needed = self.pruned(one.model, known)
+            better = self._variants.with_best_forms(one.model, noise)
+            needed = self.pruned(better, known)
             if needed is not None and needed.changes not in self._taken:
                 passed.append((fitter.compare(needed, known).total, needed))
             if needed is None or needed.key != one.model.key:
-                self.refused.setdefault(one.model.key, Refusal("given_up"))
+                self.refused.setdefault(one.model.key, self.refused.get(better.key, Refusal("given_up")))
         most = max((total for total, _ in passed), default=-math.inf)
         return min((one for total, one in passed if total > most - LEAST), key=plainness, default=None)
 

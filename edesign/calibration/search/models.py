@@ -344,6 +344,11 @@ class Fitter:
         beside = frozenset() if one.names == other.names else one.names & other.names
         return self.difference(one, other, self.noise(less.noise, more, beside), more, beside, roughly)
 
+    def behind(self, one: FittedModel, other: FittedModel) -> bool:
+        """Return whether a model is surely behind another one, though further steps gained as much as its last one."""
+        ahead = self.compare(other, one, roughly=True)
+        return replace(ahead, total=ahead.total - _STEPS * one.fit.gained).sure
+
     def difference(
         self,
         better: FittedModel,

@@ -165,16 +165,15 @@ class Search:
                 if not best.effects:
                     beside = screen(fitter, other, other, noise).better_than(screening.alone)
                     self._try(other, beside, noise)
-        rest = self._beam((best, *self._children), noise)
+        with fitter.effort.on("fits to the end"):
+            beam = self._beam((best, *self._children), noise)
+            rest = [self._variants.with_better_forms(one, noise, self._settings.forms) for one in beam]
         tried, adopted = tuple[Tried, ...](), None
         while rest and adopted is None:
             with fitter.effort.on("fits to the end"):
-                first, behind = self._finished(rest[0], noise), list[FittedModel]()
-                for one in rest[1:]:
-                    if fitter.compare(first, one, roughly=True).sure:
-                        behind.append(one)
-                    else:
-                        self._finished(one, noise)
+                first = max(rest, key=lambda one: fitter.score(one, noise, roughly=True).total)
+                behind = [one for one in rest if fitter.behind(one, first)]
+                self._leaders += [self._note(fitter.reweighted(one)) for one in rest if one not in behind]
             with fitter.effort.on("gates of adoption"):
                 tried, adopted = self._judged(best)
             # what is surely behind a model that is not surely better is no better either
@@ -182,12 +181,6 @@ class Search:
         self._children, self._leaders = [], []
         self._depths.append(Depth(best, screening, fitter.fitted - before, tried, adopted))
         return adopted
-
-    def _finished(self, model: FittedModel, noise: Noise) -> FittedModel:
-        """Fit a model to the end, with the equations that predict best, and note it among the leaders of the depth."""
-        found = self._note(self._variants.with_best_forms(model, noise))
-        self._leaders.append(found)
-        return found
 
     def _judged(self, best: FittedModel) -> tuple[tuple[Tried, ...], FittedModel | None]:
         """Return the leaders of a depth compared with the best model, and what is adopted of them."""

@@ -71,7 +71,7 @@ class Variants:
     def in_place(self, effect: Effect, rest: FittedModel, model: FittedModel) -> list[FittedModel]:
         """Return models with another effect in the place of one, fitted: those that the screening puts first.
 
-        One that is surely behind after a few steps is not fitted to the end.
+        One that is surely behind is not fitted to the end.
 
         Args:
             effect: that is replaced.
@@ -92,23 +92,30 @@ class Variants:
                     found[start.effect.name] = fitter.rough(grown, screening.noise)
             self._beside[key] = found
         others = [one for name, one in self._beside[key].items() if name != effect.name][: fitter.settings.others]
-        return [fitter.reweighted(one) for one in others if not fitter.compare(model, one, roughly=True).sure]
+        return [fitter.reweighted(one) for one in others if not fitter.behind(one, model)]
 
     def with_best_forms(self, model: FittedModel, noise: Noise) -> FittedModel:
         """Return the model with that equation of each effect that predicts best, fitted to the end; it is kept.
+
+        Args:
+            noise: by which predictions are compared.
+        """
+        if id(model) not in self._formed:
+            number = self._fitter.settings.others
+            found = self._fitter.reweighted(self.with_better_forms(model, noise, number))
+            self._formed[id(model)] = self._formed[id(found)] = model, found
+        return self._formed[id(model)][1]
+
+    def with_better_forms(self, model: FittedModel, noise: Noise, number: int) -> FittedModel:
+        """Return the model with that equation of each effect that predicts best after a few steps.
 
         Of equations as good as the best one that is taken which has fewest parameters, none at a bound if possible: a
         form at a bound of a parameter is another form, and that bound is no price of a parameter.
 
         Args:
             noise: by which predictions are compared.
+            number: of other equations of each effect that are tried.
         """
-        if id(model) not in self._formed:
-            found = self._fitter.reweighted(self._with_best_forms(model, noise))
-            self._formed[id(model)] = self._formed[id(found)] = model, found
-        return self._formed[id(model)][1]
-
-    def _with_best_forms(self, model: FittedModel, noise: Noise) -> FittedModel:
         fitter = self._fitter
         weights = [noise.weight(i) for i in range(len(model.fit.predicted))]
         for index in range(len(model.effects)):
@@ -125,7 +132,7 @@ class Variants:
             slopes = [np.delete(j, model.places(index), axis=1) for j in model.fit.slopes]
             order = [*range(index), len(others), *range(index, len(others))]
             models = [model]
-            for _, start in sorted(like.values(), key=lambda one: -one[0])[: fitter.settings.others]:
+            for _, start in sorted(like.values(), key=lambda one: -one[0])[:number]:
                 at = [kept, start.values]
                 placed = fitter.linearised((*others, start.effect), at, slopes, noise, model.fit.held)
                 if placed is not None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from pathlib import Path
 
@@ -24,6 +25,7 @@ from edesign.damper.law_file import read_law_file, resolve
 from edesign.damper.testing.campaign import Campaign
 from edesign.damper.testing.campaign_blocks import LawChoice
 from edesign.errors import InputError
+from edesign.estimation.left_out import difference
 from edesign.report.calibration.tables import tables_of
 from edesign.report.calibration.verdict import verdict_text
 
@@ -204,7 +206,8 @@ def test_a_law_that_few_tests_leave_open_is_told_if_it_predicts_validation_tests
     viscous = replace(tests, law=LawChoice("viscous", {"c": f"{C / 1e6} kN*s/mm"}))
     asked = outcome.other_law
     monkeypatch.setattr(outcome, "other_law", lambda *of: asked(*of[:3], share * of[3], of[4]))
-    monkeypatch.setattr("edesign.calibration.results.other_law.sure", lambda _: False)
+    unsure = "edesign.calibration.results.other_law.difference"
+    monkeypatch.setattr(unsure, lambda one, other: replace(difference(one, other), error=math.inf))
     found = calibrate(viscous, replace(SETTINGS, depth=0), threads=1)
     assert (found.other_law is not None) == told
     if found.other_law is not None:

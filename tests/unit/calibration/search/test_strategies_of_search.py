@@ -321,7 +321,7 @@ def test_models_are_fitted_again_without_a_test_that_moves_them_far() -> None:
     without = fitter.fit((power,), model.fit, noise.without(3))
     assert without is not None
     assert np.max(np.abs(without.fit.z - model.fit.z)) > 1.0  # standard deviation of a prior
-    rough, sure = (fitter.score(model, noise, sure=one) for one in (False, True))
+    rough, sure = (fitter.score(model, noise, roughly=one) for one in (True, False))
     assert sure.total == score(model.fit, noise, refits=True).total != rough.total
 
 
@@ -359,6 +359,7 @@ def better_than_all(monkeypatch: pytest.MonkeyPatch) -> CurveProblem:
         return Difference(100.0, 0.0)
 
     monkeypatch.setattr(Fitter, "difference", difference)
+    monkeypatch.setattr(Fitter, "behind", lambda *_: False)
     first, second = columns(1), columns(2)
     both = [a + 0.8 * b for a, b in zip(first, second, strict=True)]
     return CurveProblem(effects=(linear("one", first), linear("other", both)), truth=((linear("x", first), (0.3,)),))
