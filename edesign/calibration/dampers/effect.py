@@ -21,6 +21,7 @@ from edesign.calibration.search.problem import Effect
 
 REFINED = 2
 """Times the samples of a fit at which tests are predicted: the MGMM exact to 3e-5, most effects to a few 1e-3."""
+_IN_SERIES = 4.0  # forces of a law that a step in series with a rig takes: measured, 3 to 5
 
 _SIDES = {"positive": 1.0, "negative": -1.0}
 _TITLES = {
@@ -58,7 +59,13 @@ class EffectForm(Form[Mechanism, Sizes]):
         """Return the form as the search takes it."""
         fitted = [order + 1 for order, of in enumerate(sizes.fitted) if of]
         tests = () if self.numbers is None else tuple(k for k, at in enumerate(fitted) if at in self.numbers)
-        return replace(super().effect(sizes), tests=tests, log_prior=-math.log(self.places))
+        return replace(super().effect(sizes), tests=tests, log_prior=-math.log(self.places), cost=self.cost)
+
+    @property
+    def cost(self) -> float:
+        """Of a prediction with it, in those of the law alone: by the samples, and by the balance with a rig in each."""
+        in_series = any(isinstance(mechanism, Rig) for mechanism in self.mechanisms)
+        return max(self.refined / REFINED, 1.0) * (_IN_SERIES if in_series else 1.0)
 
     @property
     def nuisance(self) -> bool:
