@@ -345,9 +345,9 @@ class Fitter:
         return self.difference(one, other, self.noise(less.noise, more, beside), more, beside, roughly)
 
     def behind(self, one: FittedModel, other: FittedModel) -> bool:
-        """Return whether a model is surely behind another one, though further steps gained as much as its last one."""
+        """Return whether a model is surely behind another one, though as many steps again gained as its last one."""
         ahead = self.compare(other, one, roughly=True)
-        return replace(ahead, total=ahead.total - _STEPS * one.fit.gained).sure
+        return replace(ahead, total=ahead.total - self.settings.rough_steps * one.fit.gained).sure
 
     def difference(
         self,
