@@ -20,7 +20,7 @@ from edesign.calibration.results.next_test import next_test
 from edesign.calibration.results.nuisances import nuisances_of
 from edesign.calibration.results.other_law import other_law
 from edesign.calibration.results.outlying import outlying_tests
-from edesign.calibration.results.predictions import errors_of, predicted, validation_error
+from edesign.calibration.results.predictions import errors_of, predicted, validation_error, validation_noise
 from edesign.calibration.results.result import Calibrated, NextTest, OfTests, OtherLaw, OutlyingTest
 from edesign.calibration.results.steps import Steps
 from edesign.calibration.search.adoption import Kept, kept, placed, validated
@@ -71,7 +71,8 @@ class DamperOutcome(Evidence[Sequence[np.ndarray]]):
 
             sure = kept(fitter, at_full_rate(fitter, found.best))
             sure = replace(sure, model=placed(sure.model, error))
-            return declared, refit, validated(fitter, sure, min(error(declared), error(refit)), error)
+            plain, floor = min(error(declared), error(refit)), validation_noise(whole)
+            return declared, refit, validated(fitter, sure, plain, floor, error)
 
         def at_all_samples() -> tuple[FittedModel, FittedModel, Kept] | None:
             try:

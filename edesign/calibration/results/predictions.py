@@ -76,6 +76,13 @@ def validation_error(problem: DamperProblem, effects: Sequence[Effect], values: 
         return math.inf
 
 
+def validation_noise(problem: DamperProblem) -> float:
+    """Return the NRMS of the noise of the validation tests."""
+    every = [one for one in problem.experiments if one.use == "validate"]
+    noise = sum(one.noise**2 * int(np.count_nonzero(one.judged)) for one in every)
+    return noise / max(sum(float(np.sum(one.force[one.judged] ** 2)) for one in every), 1e-300)
+
+
 def _over(problem: DamperProblem, use: Use, squared: Mapping[str, float], power: Mapping[str, float]) -> float:
     names = [one.name for one in problem.experiments if one.use == use]
     return sum(squared[name] for name in names) / sum(power[name] for name in names)

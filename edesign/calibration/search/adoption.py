@@ -352,7 +352,7 @@ def placed(model: FittedModel, validate: Validate) -> FittedModel:
     return model
 
 
-def validated(fitter: Fitter, found: Kept, plain: float, validate: Validate) -> Kept:
+def validated(fitter: Fitter, found: Kept, plain: float, floor: float, validate: Validate) -> Kept:
     """Return a model without the changes by which validation tests are predicted worse than without them.
 
     As long as the law alone, or the model without one of its changes, predicts these tests better, that change is
@@ -362,11 +362,12 @@ def validated(fitter: Fitter, found: Kept, plain: float, validate: Validate) -> 
     Args:
         found: a model of which no effect may be nothing.
         plain: error of the validation tests by the law alone, as declared or fitted again, the lesser one.
+        floor: NRMS of the noise of these tests: no model predicts them better.
         validate: error of the validation tests by a model.
     """
     model, dropped = found.model, list(found.dropped)
     error = validate(model)
-    while True:
+    while misleads(error, min(plain, floor)):
         several = range(len(model.effects) if len(model.effects) > 1 else 0)
         fewer = [(i, _without(fitter, model, i, held)) for i in several for held in {model.fit.held, 0}]
         if model.effects and model.refits:
@@ -378,10 +379,11 @@ def validated(fitter: Fitter, found: Kept, plain: float, validate: Validate) -> 
         least = min(each, key=lambda one: (math.isnan(one[0]), one[0]), default=None)
         # where one effect alone is worse than none, all of them are withheld
         if least is None or not misleads(error, min(plain, least[0])):
-            return Kept(model, tuple(dropped))
+            break
         if least[1] >= 0:
             dropped.append(Dropped(model, least[1], None, error, least[0]))
         error, _, model = least
+    return Kept(model, tuple(dropped))
 
 
 def misleads(corrected: float, plain: float) -> bool:

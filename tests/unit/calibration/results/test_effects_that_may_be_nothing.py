@@ -70,11 +70,13 @@ def test_an_effect_that_misleads_goes_and_the_others_stay() -> None:
         return 0.05 + 0.1 * ("inertia" in names) - 0.04 * ("offset" in names)
 
     for plain in (0.05, 0.2):  # worse than the law alone, or better: without the mass it is better still
-        found = validated(fitter, sure, plain, error)
+        found = validated(fitter, sure, plain, 0.0, error)
         assert [one.name for one in found.model.effects] == ["offset"]
         (one,) = found.dropped
         assert one.model is model and model.effects[one.index].name == "inertia"
         assert why_dropped(one) == "with it the validation tests are predicted worse (11 %) than without it (1 %)"
     # one that is no better than none is withheld, which is reported elsewhere
-    assert validated(fitter, sure, 0.001, error).model.label == "offset.constant"
-    assert validated(fitter, sure, 0.2, lambda one: 0.1 - 0.04 * len(one.effects)).model is sure.model
+    assert validated(fitter, sure, 0.001, 0.0, error).model.label == "offset.constant"
+    assert validated(fitter, sure, 0.2, 0.0, lambda one: 0.1 - 0.04 * len(one.effects)).model is sure.model
+    # nothing predicts noise
+    assert validated(fitter, sure, 0.2, 0.15, error).model is sure.model

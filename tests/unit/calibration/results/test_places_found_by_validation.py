@@ -47,7 +47,7 @@ def test_a_gain_that_changed_begins_where_validation_tests_say(first: int) -> No
     assert reported.effects[0].data.form.numbers == range(first, len(USES) + 1)
     assert np.array_equal(reported.fit.values, model.fit.values) and reported.nrms == model.nrms
     assert error(reported) < 1e-9  # the tests have no noise; a gain of 8 % at the wrong place leaves 0.6 % of the power
-    assert validated(fitter, Kept(reported), error(refit), error).model is reported
+    assert validated(fitter, Kept(reported), error(refit), 0.0, error).model is reported
     if first == 3:
         assert error(model) > error(refit)  # which had the effect refused
 
