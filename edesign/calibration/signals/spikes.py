@@ -66,12 +66,16 @@ def spikes(time: np.ndarray, values: np.ndarray, drivers: Sequence[np.ndarray] =
     off = np.zeros(values.size, dtype=bool)
     for first, last in _rows(suspects):
         off[first : last + 1] = curve.beyond_both(first, last, suspects)
-    rows = np.array(_rows(off), dtype=int).reshape(-1, 2)
-    event = np.zeros(len(rows), dtype=bool)
+    every = _rows(off)
+    event = np.zeros(len(every), dtype=bool)
     for driver in drivers:
-        event |= _gathered(np.searchsorted(np.sort(driver), driver[rows[:, 0]]) / values.size, len(drivers))
-    short = rows[~event & (rows[:, 1] - rows[:, 0] < _LONGEST)].tolist()
-    rows = [(first, last) for first, last in short if curve.is_spike(first, last, off)]
+        begun = driver[[first for first, _ in every]]
+        event |= _gathered(np.searchsorted(np.sort(driver), begun) / values.size, len(drivers))
+    rows = [
+        (first, last)
+        for (first, last), recurs in zip(every, event, strict=True)
+        if not recurs and last - first < _LONGEST and curve.is_spike(first, last, off)
+    ]
     found, mended = np.zeros(values.size, dtype=bool), values.copy()
     for first, last in rows:
         found[first : last + 1] = True
