@@ -93,6 +93,7 @@ class BelongsTo(Model):
         series_flexibility: of the damper's own parts, or of those of the rig.
         play: of the damper's own pins, or of those of the rig.
         inertia: of the damper's own moving mass, or of that between load cell and specimen.
+        limit: of the force of the damper, beyond which it does not grow, or end of the range of the load cell.
         offset: force of the damper, as of its gas, or zero of the load cell.
     """
 
@@ -100,6 +101,7 @@ class BelongsTo(Model):
     series_flexibility: Owner | None = None
     play: Owner | None = None
     inertia: Owner | None = None
+    limit: Owner | None = None
     offset: Owner | None = None
 
 
