@@ -203,6 +203,8 @@ class Search:
             if not self._leaders and self._children:
                 for first in self._beam((self._best, *self._children), self._best.noise)[:1]:
                     self._leaders.append(self._note(fitter.reweighted(first)))
+            for one in self._leaders:
+                self._variants.take_forms_of(one)
             _, adopted = self._judged(self._best)
             if adopted is not None:
                 self._best = self._adoption.take(adopted)

@@ -106,6 +106,10 @@ class Variants:
             self._formed[id(model)] = self._formed[id(found)] = model, found
         return self._formed[id(model)][1]
 
+    def take_forms_of(self, model: FittedModel) -> None:
+        """Take the equations of a model for the best ones, as no effort is left to try others."""
+        self._formed[id(model)] = model, model
+
     def with_better_forms(self, model: FittedModel, noise: Noise, number: int) -> FittedModel:
         """Return the model with that equation of each effect that predicts best after a few steps.
 
