@@ -99,8 +99,9 @@ class Posterior:
             return self.refused[self.models[i].key]
         if i == 0 or not behind.total < 0.0:
             return ""
-        if self.judged_by and Difference(-behind.total, behind.error).sure:
-            return f"not surely better than {self.judged_by}, beside which the search judged it"
+        if Difference(-behind.total, behind.error).sure:
+            beside = f"not surely better than {self.judged_by}, beside which the search judged it"
+            return beside if self.judged_by else "the search ended before it had passed all gates"
         return f"ahead by less than the rule asks: {max(LEAST_GAIN, 2.0 * behind.error):.3g}"
 
     def probability(self, name: str) -> float:
