@@ -410,7 +410,6 @@ class Fitter:
 
         Args:
             left: by the best one of the models.
-            known: model with these effects.
             names: of them; None: all that it has.
         """
         wrong = np.array([self.problem.deviations, self.problem.deviations]) ** 2

@@ -76,7 +76,6 @@ class Variants:
         Args:
             effect: that is replaced.
             rest: model without it.
-            model: with it.
         """
         fitter, key = self._fitter, rest.key
         if key not in self._beside:
