@@ -46,8 +46,8 @@ def test_noise_is_as_strong_at_rest_as_in_motion_once_weighted(tmp_path: Path) -
     rest, moving = t < REST - 0.2, t > REST + 1.0
     bare, weighted = [], []
     for one, values in zip(problem.experiments, predicted, strict=True):
-        residual = (one.force - values) / one.noise
-        for found, r in ((bare, residual), (weighted, one.weights * residual)):
+        residual = one.force - values
+        for found, r in ((bare, residual / one.noise), (weighted, one.weights * residual / one.weighted_noise)):
             found.append([float(np.mean(r[part] ** 2)) for part in (rest, moving)])
     still, fast = np.mean(bare, axis=0)
     assert still > 20.0 * fast  # what is evened out
