@@ -18,7 +18,6 @@ from edesign.calibration.search.problem import Problem
 from edesign.calibration.search.search import Found
 from edesign.calibration.search.settings import SETTINGS, SearchSettings
 from edesign.calibration.signals.interpolation import sampling_notes
-from edesign.calibration.signals.spikes import spike_notes, without_spikes
 from edesign.calibration.structures.campaign import StructureCampaign
 from edesign.calibration.structures.from_campaign import structure_problem
 from edesign.calibration.structures.outcome import StructureOutcome
@@ -26,6 +25,7 @@ from edesign.damper.fitting import fit_forces
 from edesign.damper.laws import law as law_of
 from edesign.damper.parameters import write_parameters
 from edesign.damper.testing.clipping import clipping_notes
+from edesign.damper.testing.spikes import spike_notes, without_spikes
 from edesign.one_thread import one_thread
 
 

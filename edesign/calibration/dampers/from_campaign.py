@@ -16,7 +16,6 @@ from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.dampers.tones import common_tones
 from edesign.calibration.search.settings import SearchSettings
-from edesign.calibration.signals.spikes import spikes_beside, spikes_of, without_spikes
 from edesign.core import CoreError
 from edesign.core.damper import CoreDamper
 from edesign.damper.fitting.identifiable import as_held
@@ -27,6 +26,7 @@ from edesign.damper.temperature import GammaT, at
 from edesign.damper.testing.campaign import Campaign
 from edesign.damper.testing.clipping import clipped
 from edesign.damper.testing.measured_histories import DamperTest, Use, lost_motion
+from edesign.damper.testing.spikes import spikes_beside, spikes_of, without_spikes
 from edesign.damper.testing.start import SOFTENED, Recorded, Start, extremes_before, find_start
 from edesign.errors import InputError
 from edesign.estimation.least_squares import Fit, fit

@@ -13,8 +13,8 @@ from scipy.interpolate import BSpline, make_interp_spline
 from edesign.calibration.signals.noise import smooth
 from edesign.calibration.signals.noise_level import transforms
 from edesign.calibration.signals.sampling import evenly, step
-from edesign.calibration.signals.spikes import without_spikes
 from edesign.damper.testing.measured_histories import DamperTest
+from edesign.damper.testing.spikes import without_spikes
 
 CUBIC, SMOOTH = 3, 7
 """Degrees of splines: the cubic one rings least beside corners. At 0.6 of the Nyquist frequency it errs by a tenth of

@@ -12,7 +12,7 @@ from edesign.estimation.differences import difference_noise
 _SHORTEST = 3  # samples in a row that are equal to the last digit
 _BEYOND = 5.0  # standard deviations of the noise, by which the force would have gone beyond
 _SLOPE = 3  # samples before and after a row, by which it comes and goes
-_MEASURED = 1e-5  # of the largest force: no measured channel has less noise, of 16 bits at least
+MEASURED = 1e-5  # of the largest force: no measured channel has less noise, of 16 bits at least
 
 
 def clipped(force: np.ndarray) -> np.ndarray:
@@ -35,7 +35,7 @@ def clipped(force: np.ndarray) -> np.ndarray:
     if not any(rows):
         return found
     noise = difference_noise(force, ~(ends[0] | ends[1]))
-    if noise < _MEASURED * float(np.max(np.abs(force))):
+    if noise < MEASURED * float(np.max(np.abs(force))):
         return found
     for side, end, of_side in zip((1.0, -1.0), ends, rows, strict=True):
         if any(_gone(side * force, first, last) > _BEYOND * noise for first, last in of_side):

@@ -21,6 +21,7 @@ from edesign.damper.testing.programme import planned_tests
 from edesign.damper.testing.programme_file import Programme, SineTest, SweepTest, load_programme
 from edesign.damper.testing.property_table import PropertyTable
 from edesign.damper.testing.specimen import LARGE_STRAIN, Specimen, layer_warning
+from edesign.damper.testing.spikes import spike_warnings
 from edesign.project.reading.yaml_file import read_yaml_text
 from edesign.project.reading.yaml_nodes import parse
 
@@ -196,8 +197,6 @@ def force_warnings(test: DamperTest) -> list[str]:
         return ["no force was measured"]
     if not np.any(test.force - np.mean(test.force)):
         return ["the force is the same throughout; was the load cell connected?"]
-    from edesign.calibration.signals.spikes import spike_warnings
-
     found = [warning] if (warning := clipping_warning(test)) else []
     found += spike_warnings(test)
     if sign_questionable(test.displacement, test.force):

@@ -8,8 +8,8 @@ from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
-from scipy.special import stdtrit
 
+from edesign.damper.testing.clipping import MEASURED
 from edesign.damper.testing.measured_histories import DamperTest
 from edesign.estimation.differences import difference_gain, robust_deviation
 
@@ -21,7 +21,6 @@ it is as long: such a curve lies between both.
 """
 _CHANCE = 0.01  # that a record without spikes has one
 _TOLD = 6  # spikes whose times are said
-_MEASURED = 1e-5  # of the range: no measured channel has less noise, of 16 bits at least
 
 
 class Spikes(NamedTuple):
@@ -127,7 +126,7 @@ class _Curve:
         differences = np.abs(np.diff(values, 4)) / difference_gain(4)
         changes = np.abs(np.diff(values))
         rounded = float(np.min(changes[changes > 0.0])) / math.sqrt(12.0)  # to steps of a digitiser, if it has any
-        least = max(rounded, _MEASURED * float(np.ptp(values)))
+        least = max(rounded, MEASURED * float(np.ptp(values)))
         self._noise = max(robust_deviation(differences), least)
         self._differences = np.concatenate((np.zeros(2), differences, np.zeros(2)))
         self._quantile = 1.0 - 0.5 * _CHANCE / values.size
@@ -160,6 +159,8 @@ class _Curve:
         return self._predicted(first, last, np.concatenate(beside), _BOTH)
 
     def _bound(self, freedom: float) -> float:
+        from scipy.special import stdtrit  # scipy takes time at the start of every command
+
         return float(stdtrit(min(freedom, 1e9), self._quantile))
 
     def _beside(self, first: int, last: int, without: np.ndarray) -> tuple[np.ndarray, np.ndarray] | None:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from edesign.calibration.signals.spikes import spike_notes, spikes, spikes_beside, without_spikes
 from edesign.damper.testing.measured_histories import DamperTest
+from edesign.damper.testing.spikes import spike_notes, spikes, spikes_beside, without_spikes
 from edesign.report.check.damper_files import force_warnings
 
 RNG = np.random.default_rng(62)
