@@ -97,7 +97,7 @@ def _estimates(model: FittedModel) -> list[Estimate]:
 
 def base_estimates(model: FittedModel) -> dict[str, Estimate]:
     """Return the parameters of the base of a model by name, with their 95 % intervals, SI."""
-    base = model.fit.model.parameters[: model.of_base]
+    base = model.fit.model.parameters[: model.base_size]
     return dict(zip((one.name for one in base), estimates(model), strict=False))
 
 

@@ -130,10 +130,10 @@ class FittedModel:
     @property
     def refits(self) -> bool:
         """Whether the base is fitted: it has parameters, and they are not held as declared."""
-        return self.of_base > self.fit.held
+        return self.base_size > self.fit.held
 
     @property
-    def of_base(self) -> int:
+    def base_size(self) -> int:
         """How many parameters the base has."""
         return self.fit.z.size - sum(len(effect.parameters) for effect in self.effects)
 
@@ -312,7 +312,7 @@ class Fitter:
 
     def as_declared(self, model: FittedModel, steps: int = _STEPS) -> FittedModel | None:
         """Return a model with the base as declared, its effects fitted again; None: it cannot predict so."""
-        held = model.of_base
+        held = model.base_size
         declared = [one.centre for one in model.fit.model.parameters[:held]]
         found = self.fit(model.effects, np.append(declared, model.fit.values[held:]), model.noise, steps, held)
         return None if found is None else self.reweighted(found)
@@ -432,13 +432,13 @@ class Fitter:
         """
         key = id(model), tuple(model.indices_of(names))
         if key not in self._discrepancies:
-            found = [self.discrepancy_of(model, index) for index in key[1]]
+            found = [self._discrepancy_of(model, index) for index in key[1]]
             every = np.hstack(found) if found else np.zeros((0, 0))
             ends = np.cumsum([f.size for f in model.fit.predicted])[:-1]
             self._discrepancies[key] = model, np.split(every, ends) if every.shape[1] else None
         return self._discrepancies[key][1]
 
-    def discrepancy_of(self, model: FittedModel, index: int) -> np.ndarray:
+    def _discrepancy_of(self, model: FittedModel, index: int) -> np.ndarray:
         """Return what other equations of an effect do in its place (n, k), as principal components.
 
         Their size is the share `shared_discrepancy` of what the effect does. Their shape is that beside the first model
@@ -486,7 +486,7 @@ class Fitter:
 
     def in_order(self, model: FittedModel, order: Sequence[int]) -> FittedModel:
         """Return a model with its effects in another order."""
-        index = [*range(model.of_base), *(i for k in order for i in model.places(k))]
+        index = [*range(model.base_size), *(i for k in order for i in model.places(k))]
         effects = tuple(model.effects[k] for k in order)
         moved = replace(
             model.fit,

@@ -173,21 +173,27 @@ class Search:
             with fitter.effort.on("fits to the end"):
                 first = max(rest, key=lambda one: fitter.score(one, noise, roughly=True).total)
                 behind = [one for one in rest if fitter.behind(one, first)]
+                told = len(self._leaders)
                 self._leaders += [self._note(fitter.reweighted(one)) for one in rest if one not in behind]
             with fitter.effort.on("gates of adoption"):
-                tried, adopted = self._judged(best)
+                tried, adopted = self._judged(best, told)
             # what is surely behind a model that is not surely better is no better either
             rest = behind if any(one.difference.sure for one in tried) else []
         self._children, self._leaders = [], []
         self._depths.append(Depth(best, screening, fitter.fitted - before, tried, adopted))
         return adopted
 
-    def _judged(self, best: FittedModel) -> tuple[tuple[Tried, ...], FittedModel | None]:
-        """Return the leaders of a depth compared with the best model, and what is adopted of them."""
+    def _judged(self, best: FittedModel, told: int = 0) -> tuple[tuple[Tried, ...], FittedModel | None]:
+        """Return the leaders of a depth compared with the best model, and what is adopted of them.
+
+        Args:
+            told: number of the first ones that people were told of.
+        """
         fitter = self._fitter
         tried = [Tried(one, fitter.compare(one, best)) for one in self._leaders]
+        fresh = tried[told:]
         tried.sort(key=lambda one: -one.difference.total)
-        for one in tried:
+        for one in sorted(fresh, key=lambda each: -each.difference.total):
             d = one.difference
             left = f"NRMS {100.0 * one.model.nrms:.3g} %, gain {d.total:.1f} +- {d.error:.1f}"
             self._progress(f"  {one.model.label}: {left}")
