@@ -15,6 +15,7 @@ from edesign.calibration.residual.curves import FreeCurve
 from edesign.calibration.residual.series import STAGES, Errors, Stage, Worst
 from edesign.calibration.results.fit import effect_estimates, estimates, unbounded
 from edesign.calibration.results.floor import MOST, only_noise
+from edesign.calibration.results.kept import Dropped, Kept, kept, misleads
 from edesign.calibration.results.models import Posterior, without
 from edesign.calibration.results.practical_units import practical
 from edesign.calibration.results.result import (
@@ -31,7 +32,7 @@ from edesign.calibration.results.result import (
     Verdict,
 )
 from edesign.calibration.results.steps import Steps
-from edesign.calibration.search.adoption import Dropped, Gate, Kept, Refusal, kept, misleads
+from edesign.calibration.search.adoption import Gate, Refusal
 from edesign.calibration.search.models import FittedModel, Fitter, Key
 from edesign.calibration.search.problem import Effect as SearchedEffect
 from edesign.calibration.search.search import Ending, Found

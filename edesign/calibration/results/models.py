@@ -166,11 +166,5 @@ class Posterior:
 def without(posterior: Posterior, index: int) -> tuple[FittedModel | None, Difference | None]:
     """Return the best model without one of its effects, all else fitted again, and how far that is behind."""
     best, fitter = posterior.best, posterior.fitter
-    others, values = best.without(index)
-    rough = fitter.fit(others, values, best.noise)
-    # the noise of the best one is far below what is left without the effect
-    again = None if rough is None else fitter.fit(others, rough.fit.values, rough.noise)
-    if again is None:
-        return None, None
-    fewer = fitter.reweighted(again)
-    return fewer, fitter.compare(best, fewer)
+    fewer = fitter.omitting(best, index, 0)
+    return fewer, None if fewer is None else fitter.compare(best, fewer)

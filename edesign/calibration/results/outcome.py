@@ -15,6 +15,7 @@ from edesign.calibration.residual.shape import describe_residual
 from edesign.calibration.results.evidence import NEXT_TEST, OTHER_LAW, OUTLYING, Evidence
 from edesign.calibration.results.fit import at_full_rate, law_stages, unbounded
 from edesign.calibration.results.floor import Floor
+from edesign.calibration.results.kept import Kept, kept, placed, validated
 from edesign.calibration.results.law_file import law_file, why_not_carried
 from edesign.calibration.results.next_test import next_test
 from edesign.calibration.results.nuisances import nuisances_of
@@ -23,7 +24,6 @@ from edesign.calibration.results.outlying import outlying_tests
 from edesign.calibration.results.predictions import errors_of, predicted, validation_error, validation_noise
 from edesign.calibration.results.result import Calibrated, NextTest, OfTests, OtherLaw, OutlyingTest
 from edesign.calibration.results.steps import Steps
-from edesign.calibration.search.adoption import Kept, kept, placed, validated
 from edesign.calibration.search.models import FittedModel
 from edesign.calibration.search.problem import Effect
 from edesign.calibration.search.search import Found

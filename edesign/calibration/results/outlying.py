@@ -11,10 +11,9 @@ from edesign.calibration.dampers.effects.places import one_test
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.dampers.sizes import APART
-from edesign.calibration.results.fit import effect_estimates, estimates, unbounded
+from edesign.calibration.results.fit import STEPS, effect_estimates, estimates, unbounded
 from edesign.calibration.results.floor import Part, worst_of
 from edesign.calibration.results.result import Fault, OutlyingTest
-from edesign.calibration.search.adoption import STEPS
 from edesign.calibration.search.models import FittedModel, Fitter
 from edesign.calibration.search.problem import Effect
 from edesign.calibration.search.settings import SearchSettings

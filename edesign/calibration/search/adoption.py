@@ -6,8 +6,8 @@
     search, step 6     `Adoption.best_of`: of the candidates that are sure and identified, each with the best form and
                        pruned, the one that gains most; no set of effects twice
     search, step 7     `Adoption.instead`: whatever is surely better in the place of the best model
-    after the search   `kept`: no interval of a size holds zero; for tests of dampers `placed` and `validated` besides,
-                       and for all campaigns `misleads`: what the validation tests say, which have chosen nothing so far
+    after the search   `kept.py` of `results`: intervals of sizes, and what the validation tests say, which have chosen
+                       nothing so far
 
 The numbers are those of `settings.py` beside this file and of `edesign/estimation/left_out.py`. Words for people are
 made in `results`.
@@ -16,25 +16,16 @@ made in `results`.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Literal
 
 from edesign.calibration.search.models import FittedModel, Fitter, Key
 from edesign.calibration.search.problem import Effect
-from edesign.calibration.search.settings import SETTINGS
 from edesign.calibration.search.variants import Variants
 from edesign.estimation.left_out import LEAST, Difference
-from edesign.estimation.model import PredictionError
 from edesign.estimation.noise import Noise
 from edesign.estimation.uncertainty import at_bounds, uncertainty
-
-STEPS = 8
-"""Of a fit that begins near its end."""
-
-Validate = Callable[[FittedModel], float]
-"""NRMS of the validation tests by a model; nan or infinite: it cannot predict them."""
-
 
 _NEAR = ("instrument", "rig", "damper", "structure")
 """Kinds of effects: of those that predict alike a fault of an instrument comes before new physics."""
@@ -204,7 +195,7 @@ class Adoption:
         size = model.places(index)[:1]
         bound = at_bounds(model.fit)[size[0]] if size else ""
         whole = bound == "upper" and model.effects[index].parameters[0].whole
-        if not whole and (bound or _about_zero(model, index) is not None):
+        if not whole and (bound or about_zero(model, index) is not None):
             return True
         tests = model.effects[index].tests
         rest = self._variants.omitting(model, index) if len(tests) == 1 else None
@@ -288,141 +279,10 @@ class Adoption:
         return scores[0].total > scores[1].total - LEAST
 
 
-@dataclass(frozen=True, eq=False)
-class Dropped:
-    """An effect that the search found and that is taken off after it.
-
-    Attributes:
-        model: with it.
-        index: of it in that model.
-        interval: 95 %, SI, of its size, which holds zero; None: the validation tests refuse it.
-        with_it, without: NRMS of the validation tests, where these refuse it.
-    """
-
-    model: FittedModel
-    index: int
-    interval: tuple[float, float] | None = None
-    with_it: float = math.nan
-    without: float = math.nan
-
-
-@dataclass(frozen=True, eq=False)
-class Kept:
-    """A model of which no effect may be nothing.
-
-    Attributes:
-        model: fitted to all samples.
-        dropped: effects that were taken off.
-    """
-
-    model: FittedModel
-    dropped: tuple[Dropped, ...] = ()
-
-
-def kept(fitter: Fitter, model: FittedModel) -> Kept:
-    """Return a model without the effects of which the 95 % interval of the size holds zero, the others fitted again.
-
-    Args:
-        model: fitted to all samples.
-    """
-    dropped: list[Dropped] = []
-    while True:
-        every = [Dropped(model, i, found) for i in range(len(model.effects)) if (found := _about_zero(model, i))]
-        if not every:
-            return Kept(model, tuple(dropped))
-        widest = max(every, key=_width)
-        dropped.append(widest)
-        model = _without(fitter, model, widest.index, model.fit.held)
-
-
-def placed(model: FittedModel, validate: Validate) -> FittedModel:
-    """Return a model with each effect in the place where validation tests are predicted best.
-
-    That is asked only of effects that do the same in all tests that are fitted wherever they stand.
-
-    Args:
-        validate: error of the validation tests by a model.
-    """
-    for index, effect in enumerate(model.effects):
-        found = []
-        for one in effect.confounded:
-            effects = (*model.effects[:index], one, *model.effects[index + 1 :])
-            found.append(FittedModel(model.problem, effects, replace(model.fit, model=model.problem.model(effects))))
-        model = min(found, key=validate, default=model)
-    return model
-
-
-def validated(fitter: Fitter, found: Kept, plain: float, floor: float, validate: Validate) -> Kept:
-    """Return a model without the changes by which validation tests are predicted worse than without them.
-
-    As long as the law alone, or the model without one of its changes, predicts these tests better, that change is
-    dropped without which they are predicted best: an effect, or the change of the law. No effect comes in by the
-    validation tests.
-
-    Args:
-        found: a model of which no effect may be nothing.
-        plain: error of the validation tests by the law alone, as declared or fitted again, the lesser one.
-        floor: NRMS of the noise of these tests: no model predicts them better.
-        validate: error of the validation tests by a model.
-    """
-    model, dropped = found.model, list(found.dropped)
-    error = validate(model)
-    while misleads(error, min(plain, floor)):
-        several = range(len(model.effects) if len(model.effects) > 1 else 0)
-        fewer = [(i, _without(fitter, model, i, held)) for i in several for held in {model.fit.held, 0}]
-        if model.effects and model.refits:
-            as_declared = fitter.as_declared(model, STEPS)
-            if as_declared is None:
-                raise PredictionError("the model cannot be fitted beside the law as declared")
-            fewer.append((-1, as_declared))
-        each = [(validate(one), index, one) for index, one in fewer]
-        least = min(each, key=lambda one: (math.isnan(one[0]), one[0]), default=None)
-        # where one effect alone is worse than none, all of them are withheld
-        if least is None or not misleads(error, min(plain, least[0])):
-            break
-        if least[1] >= 0:
-            dropped.append(Dropped(model, least[1], None, error, least[0]))
-        error, _, model = least
-    return Kept(model, tuple(dropped))
-
-
-def misleads(corrected: float, plain: float) -> bool:
-    """Return whether effects make validation tests predicted worse, so that they are withheld: all are hypotheses.
-
-    By less than instruments see they are not: half of all effects that do nothing in these tests would be.
-
-    Args:
-        corrected: NRMS of the validation tests with the effects; nan: they cannot be predicted.
-        plain: the same by the base model alone, as declared or fitted again, the lesser one.
-    """
-    return not corrected <= plain + SETTINGS.least**2
-
-
-def _about_zero(model: FittedModel, index: int) -> tuple[float, float] | None:
+def about_zero(model: FittedModel, index: int) -> tuple[float, float] | None:
     """Return the 95 % interval, SI, of an effect's size if it holds zero; None: it does not, or there is no size."""
     if not model.effects[index].parameters:
         return None
     size = model.places(index)
     low, high = uncertainty(model.fit, model.noise, size_of=size).interval(size[0])
     return (low, high) if low <= 0.0 <= high else None
-
-
-def _width(one: Dropped) -> tuple[float, int]:
-    assert one.interval is not None
-    return one.interval[1] - one.interval[0], one.index
-
-
-def _without(fitter: Fitter, model: FittedModel, index: int, held: int) -> FittedModel:
-    """Return a model without an effect, fitted again.
-
-    Args:
-        held: number of parameters of the base that are kept as declared.
-
-    Raises:
-        PredictionError: it cannot be fitted.
-    """
-    others, values = model.without(index)
-    fewer = fitter.fit(others, values, model.noise, STEPS, held)
-    if fewer is None:
-        raise PredictionError(f"the model cannot be fitted without {model.effects[index].label}")
-    return fitter.reweighted(fitter.fit(others, fewer.fit.values, fewer.noise, held=held) or fewer)

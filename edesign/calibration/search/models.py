@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, wraps
+from typing import Concatenate, ParamSpec, TypeVar
 
 import numpy as np
 
@@ -44,6 +45,23 @@ LAW = "law"
 """Stands among the changes of a model of which the base is fitted: a change of it is judged as an effect is."""
 Key = frozenset[str]
 """By which models are told apart."""
+S = TypeVar("S")
+P = ParamSpec("P")
+T = TypeVar("T")
+
+
+def once(method: Callable[Concatenate[S, P], T]) -> Callable[Concatenate[S, P], T]:
+    """Keep what a method returns as long as its object lives: it is not asked for again with the same arguments."""
+
+    @wraps(method)
+    def found(self: S, *args: P.args, **named: P.kwargs) -> T:
+        known: dict[object, T] = self.__dict__.setdefault(f"_{method.__name__}_found", {})
+        key = args, tuple(named.items())
+        if key not in known:
+            known[key] = method(self, *args, **named)
+        return known[key]
+
+    return found
 
 
 class EffortSpentError(Exception):
@@ -172,10 +190,6 @@ class FittedModel:
         first = self.fit.z.size - sum(len(effect.parameters) for effect in self.effects[index:])
         return range(first, first + len(self.effects[index].parameters))
 
-    def indices_of(self, names: frozenset[str] | None) -> list[int]:
-        """Indices of the effects of these names; None: of all."""
-        return [i for i, effect in enumerate(self.effects) if names is None or effect.name in names]
-
     def without(self, index: int) -> tuple[tuple[Effect, ...], np.ndarray]:
         """Return the other effects, and the values of all other parameters, SI."""
         others = tuple(effect for i, effect in enumerate(self.effects) if i != index)
@@ -209,11 +223,7 @@ class Fitter:
         self.problem, self.settings = problem, settings
         self.effort = Effort(settings.effort)
         self.fitted = 0
-        self._scores: dict[tuple[int, Noise, int, bool], tuple[FittedModel, Columns | None, Score]] = {}
-        self._outliers: dict[tuple[int, int, int], tuple[FittedModel, FittedModel | None, Outlier | None]] = {}
-        self._discrepancies: dict[tuple[int, tuple[int, ...]], tuple[FittedModel, Columns | None]] = {}
         self._equations: dict[tuple[tuple[str, ...], int], np.ndarray] = {}
-        self._reweighted: dict[int, tuple[FittedModel, FittedModel]] = {}
 
     def predict(self, effects: Sequence[Effect], values: np.ndarray) -> list[Sequence[np.ndarray] | PredictionError]:
         """Return predictions (n_i,) of each test for each row of values, SI."""
@@ -291,17 +301,11 @@ class Fitter:
         found = Fit(with_them, noise, z, tuple(here), tuple(rates), 0, held=held)
         return FittedModel(self.problem, effects, found)
 
+    @once
     def reweighted(self, model: FittedModel) -> FittedModel:
-        """Fit again under the noise that the fit leaves, until that noise is known; what was asked for is kept."""
-        if id(model) not in self._reweighted:
-            self._reweighted[id(model)] = model, self._until_settled(model)
-        return self._reweighted[id(model)][1]
-
-    def _until_settled(self, model: FittedModel) -> FittedModel:
-        start, slopes = model.fit.z, model.fit.slopes
-        of = model.fit.model
-        held = model.fit.held
-        found = self._fit(of, model.effects, model.noise, start, _STEPS, SETTINGS, slopes, held) or model
+        """Fit again under the noise that the fit leaves, until that noise is known."""
+        of, held = model.fit, model.fit.held
+        found = self._fit(of.model, model.effects, model.noise, of.z, _STEPS, SETTINGS, of.slopes, held) or model
         for _ in range(_FITS):
             before, model = model, found
             fall = float(np.mean(np.log(before.noise.long_run)) - np.mean(np.log(model.noise.long_run)))
@@ -310,28 +314,46 @@ class Fitter:
             found = self.fit(model.effects, model.fit, model.noise) or model
         return found
 
-    def as_declared(self, model: FittedModel, steps: int = _STEPS) -> FittedModel | None:
+    @once
+    def as_declared(self, model: FittedModel) -> FittedModel | None:
         """Return a model with the base as declared, its effects fitted again; None: it cannot predict so."""
         held = model.base_size
         declared = [one.centre for one in model.fit.model.parameters[:held]]
-        found = self.fit(model.effects, np.append(declared, model.fit.values[held:]), model.noise, steps, held)
+        found = self.fit(model.effects, np.append(declared, model.fit.values[held:]), model.noise, held=held)
         return None if found is None else self.reweighted(found)
 
-    def score(self, model: FittedModel, noise: Noise, wrong: Columns | None = None, roughly: bool = False) -> Score:
+    @once
+    def omitting(self, model: FittedModel, index: int, held: int) -> FittedModel | None:
+        """Return a model without one of its effects, fitted again; None: it cannot predict then.
+
+        Args:
+            held: number of parameters of the base that are kept as declared.
+        """
+        others, values = model.without(index)
+        if held == model.fit.held:
+            slopes = [np.delete(j, model.places(index), axis=1) for j in model.fit.slopes]
+            rough = self.linearised(others, [values], slopes, model.noise, held)
+        else:
+            rough = self.fit(others, values, model.noise, held=held)
+        return None if rough is None else self.reweighted(rough)
+
+    def score(self, model: FittedModel, noise: Noise, roughly: bool = False) -> Score:
         """Return the score of a model.
 
         Args:
             noise: that all models compared share.
-            wrong: what equations may be wrong by, which is allowed for; None: nothing.
             roughly: whether the model is not fitted again without a test that moves it far.
         """
-        key = id(model), noise, id(wrong), roughly
-        if key not in self._scores:
-            log_prior = sum(effect.log_prior for effect in model.effects)
-            found = replace(score(model.fit, noise, wrong, refits=not roughly), log_prior=log_prior)
-            self.effort.spend(found.evaluations, model.effects)
-            self._scores[key] = model, wrong, found
-        return self._scores[key][2]
+        return self._score(model, noise, None, frozenset(), roughly)
+
+    @once
+    def _score(
+        self, model: FittedModel, noise: Noise, known: FittedModel | None, names: frozenset[str], roughly: bool
+    ) -> Score:
+        wrong = None if known is None else self.discrepancy(known, names)
+        found = score(model.fit, noise, wrong, refits=not roughly)
+        self.effort.spend(found.evaluations, model.effects)
+        return replace(found, log_prior=sum(effect.log_prior for effect in model.effects))
 
     def compare(self, one: FittedModel, other: FittedModel, roughly: bool = False) -> Difference:
         """Return by how much one model predicts tests better than another.
@@ -366,9 +388,10 @@ class Fitter:
             names: of its effects of which that is so; None: all of them.
             roughly: whether neither is fitted again without a test that moves it far.
         """
-        wrong = self.discrepancy(known, names)
-        return difference(self.score(better, noise, wrong, roughly), self.score(worse, noise, wrong, roughly))
+        wrong = known, known.names if names is None else names
+        return difference(*(self._score(one, noise, *wrong, roughly) for one in (better, worse)))
 
+    @once
     def outlier(self, model: FittedModel, faulty: FittedModel | None = None, index: int = -1) -> Outlier | None:
         """Return the test that agrees least with the others beside a model; None: there are too few.
 
@@ -378,16 +401,11 @@ class Fitter:
             faulty: the model with one fault more, of which the test alone is asked about.
             index: of that fault among its effects.
         """
-        key = id(model), id(faulty), index
-        if key not in self._outliers:
-            of = None
-            if faulty is not None:
-                of = faulty.effects[index].tests[0], self._with_known_faults(faulty, index)
-            found = outlier(self._with_known_faults(model), Noise.white(self.problem.deviations), of)
-            slopes = model.freed.evaluations if model.fit.held else 0
-            self.effort.spend(slopes + (0 if found is None else found.evaluations), model.effects)
-            self._outliers[key] = model, faulty, found
-        return self._outliers[key][2]
+        of = None if faulty is None else (faulty.effects[index].tests[0], self._with_known_faults(faulty, index))
+        found = outlier(self._with_known_faults(model), Noise.white(self.problem.deviations), of)
+        slopes = model.freed.evaluations if model.fit.held else 0
+        self.effort.spend(slopes + (0 if found is None else found.evaluations), model.effects)
+        return found
 
     def _with_known_faults(self, model: FittedModel, free: int = -1) -> Fit:
         """Return the fit of a model with faults in one test, but one, that have the values found, and no spread."""
@@ -413,36 +431,36 @@ class Fitter:
             names: of them; None: all that it has.
         """
         wrong = np.array([self.problem.deviations, self.problem.deviations]) ** 2
-        for index in known.indices_of(names):
-            for i, change in enumerate(() if known.effects[index].exact else known.contribution(index)):
+        for index, effect in enumerate(known.effects):
+            counts = not effect.exact and (names is None or effect.name in names)
+            for i, change in enumerate(known.contribution(index) if counts else ()):
                 power = self.settings.own_discrepancy**2 * float(change @ change) / change.size
                 wrong[:, i] += power, power * correlation_length(change)
         variance = np.maximum(left.variance, wrong[0])
         long_run = np.maximum(np.maximum(left.long_run, wrong[1]), variance)
         return Noise(tuple(variance.tolist()), tuple(long_run.tolist()))
 
-    def discrepancy(self, model: FittedModel, names: frozenset[str] | None = None) -> Columns | None:
+    @once
+    def discrepancy(self, model: FittedModel, names: frozenset[str]) -> Columns | None:
         """Return columns by which the equations of a model's effects may be wrong: what other equations of them do.
 
         Their shares have the prior N(0, 1); all of them together are the share `shared_discrepancy` of what the effect
         does.
 
         Args:
-            names: of the effects; None: all of them.
+            names: of the effects.
         """
-        key = id(model), tuple(model.indices_of(names))
-        if key not in self._discrepancies:
-            found = [self._discrepancy_of(model, index) for index in key[1]]
-            every = np.hstack(found) if found else np.zeros((0, 0))
-            ends = np.cumsum([f.size for f in model.fit.predicted])[:-1]
-            self._discrepancies[key] = model, np.split(every, ends) if every.shape[1] else None
-        return self._discrepancies[key][1]
+        found = [self.other_equations(model, i) for i, effect in enumerate(model.effects) if effect.name in names]
+        if not any(one.size for one in found):
+            return None
+        ends = np.cumsum([f.size for f in model.fit.predicted])[:-1]
+        return np.split(self.settings.shared_discrepancy * np.hstack(found), ends)
 
-    def _discrepancy_of(self, model: FittedModel, index: int) -> np.ndarray:
-        """Return what other equations of an effect do in its place (n, k), as principal components.
+    def other_equations(self, model: FittedModel, index: int) -> np.ndarray:
+        """Return what other equations of an effect do in its place (n, k), all together as large as what it does.
 
-        Their size is the share `shared_discrepancy` of what the effect does. Their shape is that beside the first model
-        with these effects: where the others are near is known before it is fitted to the end.
+        They are principal components of it. Their shape is that beside the first model with these effects: where the
+        others are near is known before it is fitted to the end.
         """
         key = tuple(effect.label for effect in model.effects), index
         if key not in self._equations:
@@ -451,8 +469,7 @@ class Fitter:
             u, s, _ = np.linalg.svd(np.column_stack(found), full_matrices=False)
             keep = s > _NEGLIGIBLE * s[0]
             self._equations[key] = u[:, keep] * (s[keep] / np.sqrt(np.sum(s**2)))
-        size = self.settings.shared_discrepancy * float(np.linalg.norm(np.concatenate(model.contribution(index))))
-        return size * self._equations[key]
+        return self._equations[key] * float(np.linalg.norm(np.concatenate(model.contribution(index))))
 
     def alternatives(
         self, model: FittedModel, index: int, weights: Sequence[float] | np.ndarray, here: bool = False
@@ -486,6 +503,8 @@ class Fitter:
 
     def in_order(self, model: FittedModel, order: Sequence[int]) -> FittedModel:
         """Return a model with its effects in another order."""
+        if list(order) == sorted(order):
+            return model
         index = [*range(model.base_size), *(i for k in order for i in model.places(k))]
         effects = tuple(model.effects[k] for k in order)
         moved = replace(

@@ -66,19 +66,18 @@ class Screening:
         return replace(self, singles=singles, pairs=tuple(one for one in self.pairs if one[1] > least))
 
 
-def screen(fitter: Fitter, model: FittedModel, known: FittedModel, noise: Noise | None = None) -> Screening:
-    """Screen all forms of effects that a model does not have.
+def screen(fitter: Fitter, model: FittedModel, noise: Noise | None = None) -> Screening:
+    """Screen all forms of effects that a model does not have, whose own equations may be wrong.
 
     Args:
-        known: a model whose equations may be wrong, which is allowed for.
         noise: by which gains are measured; None: what all effects together leave.
     """
-    tests, starts, nuisance, screened = _candidates(fitter, model, known)
+    tests, starts, nuisance, screened = _candidates(fitter, model)
     plain = model.fit.model.nuisance_columns(model.fit.values)
     every = [_stacked(of_test) for of_test in zip(plain, *(columns for _, columns in nuisance), strict=True)]
     if noise is None:
         left = _left(tests, every, Noise.white(fitter.problem.deviations))
-        noise = fitter.noise(Noise.left_by(left, fitter.problem.deviations, fitter.problem.sizes), known)
+        noise = fitter.noise(Noise.left_by(left, fitter.problem.deviations, fitter.problem.sizes), model)
     alone = _Evidence.of(tests, plain, noise, len(starts))
     nothing = float(alone.log_of(0.0, 0.0))
     singles = alone.singles(starts)
@@ -99,7 +98,7 @@ def screen(fitter: Fitter, model: FittedModel, known: FittedModel, noise: Noise 
 
 
 def _candidates(
-    fitter: Fitter, model: FittedModel, known: FittedModel
+    fitter: Fitter, model: FittedModel
 ) -> tuple[list[np.ndarray], list[Start], list[tuple[Start, Nuisance]], int]:
     """Return what the model leaves and what changes it, and the candidates.
 
@@ -112,7 +111,7 @@ def _candidates(
     size = float(np.linalg.norm(measured))
     starts, nuisance, screened = list[Start](), list[tuple[Start, Nuisance]](), 0
     columns = [[r[:, np.newaxis], j] for r, j in zip(model.fit.left, model.fit.slopes, strict=True)]
-    for of_test, wrong in zip(columns, fitter.discrepancy(known) or (), strict=False):
+    for of_test, wrong in zip(columns, fitter.discrepancy(model, model.names) or (), strict=False):
         of_test.append(wrong)
     for effect in fitter.problem.effects:
         if effect.name in model.names:

@@ -163,7 +163,7 @@ class Search:
                 if other.refits:
                     self._children.append(other)
                 if not best.effects:
-                    beside = screen(fitter, other, other, noise).better_than(screening.alone)
+                    beside = screen(fitter, other, noise).better_than(screening.alone)
                     self._try(other, beside, noise)
         with fitter.effort.on("fits to the end"):
             beam = self._beam((best, *self._children), noise)
@@ -209,8 +209,7 @@ class Search:
             if not self._leaders and self._children:
                 for first in self._beam((self._best, *self._children), self._best.noise)[:1]:
                     self._leaders.append(self._note(fitter.reweighted(first)))
-            for one in self._leaders:
-                self._variants.take_forms_of(one)
+            self._variants.others = 0
             _, adopted = self._judged(self._best)
             if adopted is not None:
                 self._best = self._adoption.take(adopted)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from edesign.calibration.search.models import FittedModel, Fitter, Key, Start
+from edesign.calibration.search.models import FittedModel, Fitter, Key, Start, once
 from edesign.calibration.search.problem import Effect
 from edesign.calibration.search.screening import Screening, screen
 from edesign.estimation.left_out import LEAST
@@ -16,14 +16,16 @@ class Variants:
 
     Args:
         base: the same, fitted; the declared one where that is fixed.
+
+    Attributes:
+        others: number of other equations of each effect that are tried to the end; 0: no effort is left for any.
     """
 
     def __init__(self, fitter: Fitter, declared: FittedModel, base: FittedModel) -> None:
         self._fitter, self._declared, self._base = fitter, declared, base
+        self.others = fitter.settings.others
         self._beside = dict[Key, dict[str, FittedModel]]()
-        self._formed = dict[int, tuple[FittedModel, FittedModel]]()
-        self._screened = dict[int, tuple[FittedModel, Screening]]()
-        self._without = dict[tuple[int, int], tuple[FittedModel, FittedModel | None]]()
+        self._formed = dict[FittedModel, FittedModel]()
 
     def as_declared(self, model: FittedModel) -> FittedModel | None:
         """Return a model with the base as declared, its effects fitted again; None: it cannot predict so."""
@@ -44,29 +46,18 @@ class Variants:
 
     def omitting(self, model: FittedModel, index: int) -> FittedModel | None:
         """Return a model without one of its effects, fitted; None: it cannot predict then."""
-        others, values = model.without(index)
-        if not others:
-            return self.without_effects(model)
-        key = id(model), index
-        if key not in self._without:
-            slopes = [np.delete(j, model.places(index), axis=1) for j in model.fit.slopes]
-            rough = self._fitter.linearised(others, [values], slopes, model.noise, model.fit.held)
-            self._without[key] = model, None if rough is None else self._fitter.reweighted(rough)
-        return self._without[key][1]
+        alone = len(model.effects) == 1
+        return self.without_effects(model) if alone else self._fitter.omitting(model, index, model.fit.held)
 
     def refitted_without(self, model: FittedModel, index: int) -> FittedModel | None:
         """Return a model without one of its effects, its base fitted too: what takes the place may ask for that."""
-        others, values = model.without(index)
-        if not others or model.refits or self._declared is self._base:
-            return self._base if not others else self.omitting(model, index)
-        found = self._fitter.fit(others, values, model.noise)
-        return None if found is None else self._fitter.reweighted(found)
+        held = model.fit.held if self._declared is self._base else 0
+        return self._base if len(model.effects) == 1 else self._fitter.omitting(model, index, held)
 
+    @once
     def screened(self, model: FittedModel) -> Screening:
-        """Return the screening beside a model, whose equations may be wrong; it is kept."""
-        if id(model) not in self._screened:
-            self._screened[id(model)] = model, screen(self._fitter, model, model)
-        return self._screened[id(model)][1]
+        """Return the screening beside a model."""
+        return screen(self._fitter, model)
 
     def in_place(self, effect: Effect, rest: FittedModel, model: FittedModel) -> list[FittedModel]:
         """Return models with another effect in the place of one, fitted: those that the screening puts first.
@@ -99,15 +90,10 @@ class Variants:
         Args:
             noise: by which predictions are compared.
         """
-        if id(model) not in self._formed:
-            number = self._fitter.settings.others
-            found = self._fitter.reweighted(self.with_better_forms(model, noise, number))
-            self._formed[id(model)] = self._formed[id(found)] = model, found
-        return self._formed[id(model)][1]
-
-    def take_forms_of(self, model: FittedModel) -> None:
-        """Take the equations of a model for the best ones, as no effort is left to try others."""
-        self._formed[id(model)] = model, model
+        if model not in self._formed:
+            found = self.with_better_forms(model, noise, self.others) if self.others else model
+            self._formed[model] = self._fitter.reweighted(found)
+        return self._formed[model]
 
     def with_better_forms(self, model: FittedModel, noise: Noise, number: int) -> FittedModel:
         """Return the model with that equation of each effect that predicts best after a few steps.

@@ -10,7 +10,7 @@ from damper_problems import problem
 
 from edesign.calibration.results.evidence import why_dropped
 from edesign.calibration.results.fit import unbounded
-from edesign.calibration.search.adoption import kept, validated
+from edesign.calibration.results.kept import kept, validated
 from edesign.calibration.search.models import FittedModel
 from edesign.calibration.search.settings import SETTINGS
 from edesign.estimation.noise import Noise

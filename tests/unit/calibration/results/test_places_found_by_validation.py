@@ -10,8 +10,8 @@ from damper_problems import problem
 
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.results.fit import unbounded
+from edesign.calibration.results.kept import Kept, placed, validated
 from edesign.calibration.results.predictions import validation_error
-from edesign.calibration.search.adoption import Kept, placed, validated
 from edesign.calibration.search.models import FittedModel
 from edesign.calibration.search.settings import SETTINGS
 from edesign.damper.testing.measured_histories import Use
