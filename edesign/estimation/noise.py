@@ -10,6 +10,10 @@ import numpy as np
 
 FIRST = 0.05
 """Of the size of measured values: what a fair model leaves."""
+MOST = 2.0
+"""Times its floor, up to which an error (NRMS, a power) is noise alone: 1.4 times the noise in rms. Estimates of noise
+from spectra, and of what does not repeat from a few cycles, are no better."""
+_CHANCE = 0.01  # with which noise alone makes one of all tests seem to be above its floor
 _LEAST = 1e-12  # share of the largest size of measured values: no residual is known to be smaller
 
 
@@ -81,6 +85,18 @@ class Noise:
     def independent(self, test: int, samples: int) -> float:
         """Return how many samples of a test would say as much as these many if they were independent."""
         return samples * self.variance[test] / self.long_run[test]
+
+
+def most_noise(samples: int, tests: int) -> float:
+    """Return the mean square that noise may leave of a test, over its variance: more has another cause.
+
+    Args:
+        samples: of the test.
+        tests: how many are asked, of which chance makes one seem to be above.
+    """
+    from scipy.special import chdtri  # scipy takes time at the start of every command
+
+    return MOST * float(chdtri(samples, _CHANCE / tests)) / samples
 
 
 def correlation_length(residual: np.ndarray) -> float:

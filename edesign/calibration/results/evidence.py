@@ -14,7 +14,7 @@ import numpy as np
 from edesign.calibration.residual.curves import FreeCurve
 from edesign.calibration.residual.series import STAGES, Errors, Stage, Worst
 from edesign.calibration.results.fit import effect_estimates, estimates, unbounded
-from edesign.calibration.results.floor import MOST, only_noise
+from edesign.calibration.results.floor import only_noise
 from edesign.calibration.results.kept import Dropped, Kept, kept, misleads
 from edesign.calibration.results.models import Posterior, without
 from edesign.calibration.results.practical_units import practical
@@ -39,6 +39,7 @@ from edesign.calibration.search.search import Ending, Found
 from edesign.calibration.search.settings import SearchSettings
 from edesign.damper.testing.measured_histories import Use
 from edesign.estimation.model import PredictionError
+from edesign.estimation.noise import MOST
 
 T = TypeVar("T")
 S = TypeVar("S")

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from scipy.special import chdtri
 
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.noise_of_tests import with_channel_noise, with_noise
@@ -24,12 +23,8 @@ from edesign.calibration.search.models import FittedModel
 from edesign.calibration.signals.noise import least_noise
 from edesign.damper.testing.measured_histories import USES, Use
 from edesign.estimation.model import PredictionError
+from edesign.estimation.noise import MOST, most_noise
 
-MOST = 2.0
-"""Times its floor, up to which an error (NRMS, a power) is noise alone: 1.4 times the noise in rms. Estimates of noise
-from spectra, and of what does not repeat from a few cycles, are no better."""
-
-_CHANCE = 0.01  # with which noise alone makes one of all tests seem to be above its floor
 _SAME = 0.02  # of the rms displacement: motions that differ by less are one motion made twice
 _LONG, _MUCH = 0.25, 0.5  # of a test and of the range of its motion: beginnings that stand for all of it
 _FARTHEST = 2.0  # standard deviations of a thermometer's error, up to which it is one
@@ -210,8 +205,8 @@ def worst_of(parts: Sequence[Part]) -> Worst | None:
     """Return the part that leaves most over its noise, and more than chance makes of that; None: there is none."""
     found: Worst | None = None
     for one in parts:
-        most = MOST * float(chdtri(one.size, _CHANCE / len(parts))) / one.size
-        floor, allowed = one.floor + one.thermal, most * one.floor + _FARTHEST**2 * one.thermal
+        floor = one.floor + one.thermal
+        allowed = most_noise(one.size, len(parts)) * one.floor + _FARTHEST**2 * one.thermal
         if one.error > allowed and (found is None or one.error / floor > found.times):
             found = Worst(one.name, one.error, floor)
     return found

@@ -16,7 +16,7 @@ from edesign.calibration.search.settings import SearchSettings
 from edesign.estimation.least_squares import SETTINGS, Fit, Settings, fit
 from edesign.estimation.left_out import PRIOR_FREEDOM, Difference, Score, difference, score
 from edesign.estimation.model import Model, PredictionError, predict_near
-from edesign.estimation.noise import Noise, correlation_length
+from edesign.estimation.noise import Noise, correlation_length, most_noise
 from edesign.estimation.outlier import Outlier, outlier
 from edesign.estimation.parameters import coordinates_of, ranges_of, values_of
 
@@ -181,9 +181,10 @@ class FittedModel:
 
     @cached_property
     def at_floor(self) -> bool:
-        """Whether it leaves no more than noise, as well as the size of the noise is known."""
+        """Whether it leaves no more than noise of all tests, and of each, as well as the size of the noise is known."""
         left = np.array([float(r @ r) / r.size for r in self.left]) / np.array(self.problem.deviations) ** 2
-        return bool(np.mean(left) <= 1.0 + math.sqrt(2.0 / PRIOR_FREEDOM))
+        each = [one <= most_noise(r.size, left.size) for one, r in zip(left, self.left, strict=True)]
+        return bool(np.mean(left) <= 1.0 + math.sqrt(2.0 / PRIOR_FREEDOM)) and all(each)
 
     def places(self, index: int) -> range:
         """Indices of the parameters of an effect."""

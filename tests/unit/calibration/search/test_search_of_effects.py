@@ -109,3 +109,12 @@ def test_effects_that_tests_cannot_separate_are_rivals() -> None:
     fitter = Fitter(result.base.problem, SearchSettings())
     rivals = [one.names for one in result.models if one.effects and not fitter.compare(result.best, one).sure]
     assert {"hardening"} in rivals and {"bulge"} in rivals and {"drag"} not in rivals
+
+
+def test_one_test_above_its_noise_is_searched_though_all_together_are_at_the_floor() -> None:
+    """Twelve tests leave less than 1.4 times the power of their noise in the mean, one of them more than 3 times."""
+    event = effect("event", "third", lambda p, i, u, v: p[0] * np.abs(u) * (i == 2))
+    result = found(CurveProblem(effects=(*EFFECTS, event), truth=((event, (0.05,)),), tests=12))
+    left = np.array([float(r @ r) / r.size for r in result.base.left]) / 0.01**2
+    assert 1.0 < left.mean() < 1.4 and left.max() > 3.0
+    assert result.best.names == {"event"}
