@@ -83,6 +83,7 @@ class Fit:
         converged: whether the search ended by itself.
         held: number of the first parameters that are kept at the centres of their priors, with slopes of zero.
         gained: by which the last step decreased the objective; infinite where there was no search.
+        rough: whether slopes are those that steps have updated, or that hold somewhere near.
     """
 
     model: Model
@@ -95,6 +96,7 @@ class Fit:
     converged: bool = True
     held: int = 0
     gained: float = math.inf
+    rough: bool = False
 
     @cached_property
     def values(self) -> np.ndarray:
@@ -155,7 +157,6 @@ def fit(
     start: np.ndarray | Fit | None = None,
     steps: int | None = None,
     settings: Settings = SETTINGS,
-    slopes: Tests | None = None,
     held: int = 0,
 ) -> Fit:
     """Search the parameters of largest posterior density: Levenberg-Marquardt, kept inside the bounds.
@@ -169,7 +170,6 @@ def fit(
         start: (p,) coordinates, or a fit of the model, whose predictions and slopes are not asked for again; None: the
             centres of the priors.
         steps: most of them; None: those of the settings.
-        slopes: (n_i, p) d predicted / d z that hold well enough at the start; None: they are found.
         held: number of the first parameters that are kept where they are, the centres of their priors; a fit to start
             from says that itself.
 
@@ -186,14 +186,14 @@ def fit(
     held = start.held if isinstance(start, Fit) else held
     search = _Search(model, noise, settings, held)
     most = settings.steps if steps is None else steps
-    fresh, damping, taken, idle, scale = slopes is None, _DAMPING, 0, 0, np.zeros(len(model.parameters))
-    gained = 0.0
+    fresh = not (isinstance(start, Fit) and start.rough)
+    damping, taken, idle, scale, gained = _DAMPING, 0, 0, np.zeros(len(model.parameters)), 0.0
     shortened = False  # differences at this point: where predictions jump, they may be too long however often
     if isinstance(start, Fit):
         here, rates = search.point(start.z, start.predicted), list(start.slopes)
     else:
         here = search.first(np.zeros(scale.size) if start is None else np.asarray(start, dtype=float))
-        rates = search.slopes(here) if slopes is None else list(slopes)
+        rates = search.slopes(here)
     while True:
         root, pull = search.linear(here, rates)
         low, high = search.low - here.z, search.high - here.z
@@ -220,7 +220,7 @@ def fit(
             converged = fresh
         if settings.rough or (fresh and (shortened or not search.too_long(root))):
             ended = here.z, tuple(here.predicted), tuple(rates)
-            return Fit(model, noise, *ended, search.evaluations, taken, converged, held, gained)
+            return Fit(model, noise, *ended, search.evaluations, taken, converged, held, gained, not fresh)
         shortened = fresh
         rates, fresh, damping = search.slopes(here, root), True, min(damping, 1.0)
 

@@ -137,7 +137,7 @@ def _rival(base: FittedModel, observed: Observed, name: str) -> _Rival | None:
             return None
         for _ in range(_FITS):
             noise = Noise.left_by(found.left, problem.deviations, problem.sizes)
-            again = fit(model, noise, found.z, slopes=found.slopes)
+            again = fit(model, noise, found)
             fall = np.mean(np.log(noise.long_run)) - np.mean(
                 np.log(Noise.left_by(again.left, problem.deviations, problem.sizes).long_run)
             )

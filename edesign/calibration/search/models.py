@@ -15,13 +15,13 @@ from edesign.calibration.search.problem import Columns, Effect, Problem
 from edesign.calibration.search.settings import SearchSettings
 from edesign.estimation.least_squares import SETTINGS, Fit, Settings, fit
 from edesign.estimation.left_out import PRIOR_FREEDOM, Difference, Score, difference, score
-from edesign.estimation.model import Model, PredictionError, predict_near
+from edesign.estimation.model import PredictionError, predict_near
 from edesign.estimation.noise import Noise, correlation_length, most_noise
 from edesign.estimation.outlier import Outlier, outlier
 from edesign.estimation.parameters import coordinates_of, ranges_of, values_of
 
 _REWEIGHTED = 0.2  # fall of the logarithm of the noise, below which a fit under the noise that it leaves has settled
-_FITS = 4  # most of them
+_FITS = 5  # most of them
 _STEPS = 15
 _ROUGH = Settings(rough=True)
 _KNOWN = 1e-6  # of its prior spread: how far a parameter that counts as known may move
@@ -232,42 +232,33 @@ class Fitter:
         return list(self.problem.model(tuple(effects)).predict(values))
 
     def fit(
-        self, effects: Sequence[Effect], start: np.ndarray | Fit, noise: Noise, steps: int = _STEPS, held: int = 0
+        self,
+        effects: Sequence[Effect],
+        start: np.ndarray | Fit,
+        noise: Noise,
+        steps: int = _STEPS,
+        held: int = 0,
+        settings: Settings = SETTINGS,
     ) -> FittedModel | None:
         """Fit a model from values, SI, or from a fit of it; None: it cannot predict there.
 
         Args:
-            held: number of parameters of the base that are kept as declared.
+            held: number of parameters of the base that are kept as declared; a fit to start from says that itself.
         """
-        model = self.problem.model(tuple(effects))
+        model = start.model if isinstance(start, Fit) else self.problem.model(tuple(effects))
         z = start if isinstance(start, Fit) else coordinates_of(model.parameters, start)
-        return self._fit(model, tuple(effects), noise, z, steps, SETTINGS, None, held)
-
-    def rough(self, grown: FittedModel, noise: Noise) -> FittedModel:
-        """Fit a model that has grown by a few steps, by which models are put in order."""
-        model = grown.fit.model
-        found = self._fit(model, grown.effects, noise, grown.fit, self.settings.rough_steps, _ROUGH, None)
-        return grown if found is None else found
-
-    def _fit(
-        self,
-        model: Model,
-        effects: tuple[Effect, ...],
-        noise: Noise,
-        start: np.ndarray | Fit,
-        steps: int,
-        settings: Settings,
-        slopes: Columns | None,
-        held: int = 0,
-    ) -> FittedModel | None:
         try:
-            found = fit(model, noise, start, steps, settings, slopes, held)
+            found = fit(model, noise, z, steps, settings, held)
         except PredictionError:
             self.effort.spend(1, effects)
             return None
         self.fitted += 1
         self.effort.spend(found.evaluations, effects)
-        return FittedModel(self.problem, effects, found)
+        return FittedModel(self.problem, tuple(effects), found)
+
+    def rough(self, grown: FittedModel, noise: Noise) -> FittedModel:
+        """Fit a model that has grown by a few steps, by which models are put in order."""
+        return self.fit(grown.effects, grown.fit, noise, self.settings.rough_steps, settings=_ROUGH) or grown
 
     def extended(self, model: FittedModel, starts: Sequence[Start], noise: Noise) -> FittedModel | None:
         """Return a model with more effects at their starts, with its slopes, and those of their parameters; not fitted.
@@ -294,26 +285,23 @@ class Fitter:
             return None
         self.effort.spend(len(around), effects)
         there = predict_near(with_them, np.array(around), at, here) if around else []
-        rates = [j for j in slopes]
+        rates = list(slopes)
         for k, of in enumerate(there, known):
             if isinstance(of, PredictionError):
                 return None
             rates = [np.column_stack((j, (a - b) / steps[k])) for j, a, b in zip(rates, of, here, strict=True)]
-        found = Fit(with_them, noise, z, tuple(here), tuple(rates), 0, held=held)
+        found = Fit(with_them, noise, z, tuple(here), tuple(rates), 0, held=held, rough=True)
         return FittedModel(self.problem, effects, found)
 
     @once
     def reweighted(self, model: FittedModel) -> FittedModel:
         """Fit again under the noise that the fit leaves, until that noise is known."""
-        of, held = model.fit, model.fit.held
-        found = self._fit(of.model, model.effects, model.noise, of.z, _STEPS, SETTINGS, of.slopes, held) or model
         for _ in range(_FITS):
-            before, model = model, found
+            before, model = model, self.fit(model.effects, model.fit, model.noise) or model
             fall = float(np.mean(np.log(before.noise.long_run)) - np.mean(np.log(model.noise.long_run)))
             if fall < _REWEIGHTED:
                 break
-            found = self.fit(model.effects, model.fit, model.noise) or model
-        return found
+        return model
 
     @once
     def as_declared(self, model: FittedModel) -> FittedModel | None:

@@ -33,7 +33,7 @@ def test_intervals_cover_with_correlated_residuals(tests: int, bias: float) -> N
         measured = [a @ v + e for a, v, e in zip(x, own, noise, strict=True)]
         model = linear(x, measured, normal("ab", 10.0))
         found = fit(model, Noise.white([1.0] * tests))
-        found = fit(model, Noise.left_by(found.left, [0.01] * tests, [0.8] * tests), found.z, slopes=found.slopes)
+        found = fit(model, Noise.left_by(found.left, [0.01] * tests, [0.8] * tests), found)
         reported = uncertainty(found)
         held.append(
             [low < value < high for value, (low, high) in zip(truth, map(reported.interval, range(2)), strict=True)]
