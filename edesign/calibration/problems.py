@@ -80,6 +80,10 @@ class EffectModel(Generic[P]):
         """Return None of each test: there are no nuisance amplitudes."""
         return [None] * len(self.tests)
 
+    def columns_near(self, values: np.ndarray, around: np.ndarray) -> list[np.ndarray | None]:
+        """Return the columns of each test; where some are rough by themselves, those as near by."""
+        return self.nuisance_columns(values)
+
     def base_values(self, values: np.ndarray) -> dict[str, float]:
         """Return the parameters of the base by name, SI.
 

@@ -6,10 +6,11 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TypeGuard
 
 import numpy as np
 
-from edesign.estimation.model import Model, PredictionError, predict_near
+from edesign.estimation.model import Model, PredictionError, columns_near, predict_near
 from edesign.estimation.noise import Noise
 from edesign.estimation.parameters import priors_of, ranges_of, values_of
 
@@ -206,7 +207,7 @@ def fit(
             while damping <= _MOST and not there.objective < here.objective:
                 damped = np.vstack((root, np.sqrt(damping) * np.diag(scale)))
                 step = _inside(damped, np.append(pull, np.zeros(scale.size)), low, high)
-                (there,) = search.points((here.z + step)[np.newaxis])
+                there = search.to(here.z + step)
                 damping, growth = damping * growth, 2.0 * growth
             gained = max(here.objective - there.objective, 0.0)
             if gained:
@@ -255,21 +256,25 @@ class _Search:
             raise PredictionError("predictions at the start are not finite")
         return found
 
-    def points(self, z: np.ndarray, here: _Point | None = None) -> list[_Point]:
-        """Predict with coordinates (m, p), moved inside the bounds; near a point for differences from it."""
+    def to(self, z: np.ndarray) -> _Point:
+        """Predict with coordinates (p,), moved inside the bounds."""
         z = np.clip(z, self.low, self.high)
+        self.evaluations += 1
+        (predicted,) = self.model.predict(values_of(self.model.parameters, z)[np.newaxis])
+        return self.point(z, predicted)
+
+    def near(self, z: np.ndarray, here: _Point) -> list[Tests | None]:
+        """Return predictions (n_i,) with coordinates (m, p) near a point, and with its nuisance amplitudes."""
         self.evaluations += len(z)
         if not len(z):
             return []
         values = np.array([values_of(self.model.parameters, one) for one in z])
-        if here is None:
-            found = self.model.predict(values)
-        else:
-            found = predict_near(self.model, values, values_of(self.model.parameters, here.z), here.predicted)
-        return [self.point(one, predicted) for one, predicted in zip(z, found, strict=True)]
+        found = predict_near(self.model, values, values_of(self.model.parameters, here.z), here.predicted)
+        both = zip(z, found, strict=True)
+        return [self.whole(_Point(at, of, np.inf, ()), here) if _finite(of) else None for at, of in both]
 
     def point(self, z: np.ndarray, predicted: Tests | PredictionError) -> _Point:
-        if isinstance(predicted, PredictionError) or not all(np.all(np.isfinite(f)) for f in predicted):
+        if not _finite(predicted):
             return _Point(z, (), np.inf, ())
         try:
             here = self.weighted(_Point(z, predicted, np.inf, ()), [np.zeros((f.size, 0)) for f in predicted])
@@ -302,12 +307,10 @@ class _Search:
             wanted = [
                 (k, d) for k, side in enumerate(sides) for d in side if d and k >= self.held and len(ends[k]) == 1
             ]
-            found = self.points(
-                np.array([z + d * (np.arange(p) == k) for k, d in wanted]).reshape(len(wanted), p), here
-            )
-            for (k, d), there in zip(wanted, found, strict=True):
-                if there.predicted:
-                    ends[k][d] = self.whole(there, here)
+            moved = np.array([z + d * (np.arange(p) == k) for k, d in wanted]).reshape(len(wanted), p)
+            for (k, d), there in zip(wanted, self.near(moved, here), strict=True):
+                if there is not None:
+                    ends[k][d] = there
         rates = [np.zeros((f.size, p)) for f in here.predicted]
         for k, of in enumerate(ends):
             low, high = min(of), max(of)
@@ -323,7 +326,7 @@ class _Search:
         """Return predictions (n_i,) at a point with the nuisance amplitudes at another one."""
         if not any(amplitude.size for amplitude in here.amplitudes):
             return there.predicted
-        nuisance = self.model.nuisance_columns(values_of(self.model.parameters, there.z))
+        nuisance = columns_near(self.model, *(values_of(self.model.parameters, one.z) for one in (there, here)))
         both = zip(there.predicted, nuisance, here.amplitudes, strict=True)
         return [f if columns is None else f + columns @ amplitude for f, columns, amplitude in both]
 
@@ -332,6 +335,10 @@ class _Search:
         step = there.z - here.z
         before, after, along = self.whole(here, here), self.whole(there, here), step / float(step @ step)
         return [j + np.outer(b - a - j @ step, along) for j, a, b in zip(slopes, before, after, strict=True)]
+
+
+def _finite(predicted: Tests | PredictionError) -> TypeGuard[Tests]:
+    return not isinstance(predicted, PredictionError) and all(np.all(np.isfinite(f)) for f in predicted)
 
 
 def triangle(*rows: np.ndarray) -> np.ndarray:

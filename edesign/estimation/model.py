@@ -41,7 +41,7 @@ class Model(Protocol):
 
 @runtime_checkable
 class RoughModel(Protocol):
-    """A model that gives changes of predictions at less cost than predictions."""
+    """A model that gives changes of predictions and of nuisance columns at less cost."""
 
     def near(
         self, values: np.ndarray, around: np.ndarray, predicted: Sequence[np.ndarray]
@@ -52,6 +52,14 @@ class RoughModel(Protocol):
             values: (m, p) SI.
             around: (p,) SI, near them.
             predicted: (n_i,) of each test with that set.
+        """
+
+    def columns_near(self, values: np.ndarray, around: np.ndarray) -> Sequence[np.ndarray | None]:
+        """Return columns as `nuisance_columns` does; those that are rough by themselves may be as near by.
+
+        Args:
+            values: (p,) SI.
+            around: (p,) SI, near them.
         """
 
 
@@ -67,3 +75,14 @@ def predict_near(
         predicted: (n_i,) of each test with that set.
     """
     return model.near(values, around, predicted) if isinstance(model, RoughModel) else model.predict(values)
+
+
+def columns_near(model: Model, values: np.ndarray, around: np.ndarray) -> Sequence[np.ndarray | None]:
+    """Return nuisance columns (n_i, k) of each test for differences: at less cost, where a model has such ones.
+
+    Args:
+        model: of the tests.
+        values: (p,) SI.
+        around: (p,) SI, near them.
+    """
+    return model.columns_near(values, around) if isinstance(model, RoughModel) else model.nuisance_columns(values)

@@ -277,26 +277,37 @@ class DamperModel(EffectModel[DamperProblem]):
         Args:
             values: (p,) SI.
         """
-        makers = [
-            (of.form.label, *p.values())
-            for of, p in self._of(values)[1]
-            if of.form.nuisance or any(one.acts_through(of.form) for one, *_ in self.problem.uncertain_inputs)
-        ]
-        # a fit asks for them at each step, and mostly moves other parameters
-        return list(self.problem.columns.of((self.tests, *makers), lambda: self._weighted_columns(values)))
+        return self.columns_near(values, values)
 
-    def _weighted_columns(self, values: np.ndarray) -> tuple[np.ndarray | None, ...]:
-        every = map(joined, self.nuisances(values))
+    def columns_near(self, values: np.ndarray, around: np.ndarray) -> list[np.ndarray | None]:
+        """Return columns as `nuisance_columns` does, with what uncertain inputs make of the force near by.
+
+        Args:
+            values: (p,) SI.
+            around: (p,) SI, near them.
+        """
+        inputs = [one for one, *_ in self.problem.uncertain_inputs]
+        makers = [(of.form.label, *p.values()) for of, p in self._of(values)[1] if of.form.nuisance]
+        for of, p in self._of(around)[1]:
+            if any(one.acts_through(of.form) for one in inputs):
+                makers.append(("through", of.form.label, *p.values()))
+        # a fit asks for them at each step, and mostly moves other parameters
+        return list(self.problem.columns.of((self.tests, *makers), lambda: self._weighted_columns(values, around)))
+
+    def _weighted_columns(self, values: np.ndarray, around: np.ndarray) -> tuple[np.ndarray | None, ...]:
+        every = map(joined, self.nuisances(values, around))
         return tuple(
             None if one is None else w[:, np.newaxis] * one for w, one in zip(self.weights, every, strict=True)
         )
 
-    def nuisances(self, values: np.ndarray) -> list[list[Nuisance]]:
+    def nuisances(self, values: np.ndarray, around: np.ndarray | None = None) -> list[list[Nuisance]]:
         """Return the nuisances of each test: those of the effects, and what uncertain inputs make of the force.
 
         Args:
             values: (p,) SI.
+            around: (p,) SI, near them, with which uncertain inputs are asked for; None: the values.
         """
+        around = values if around is None else around
         experiments = [self.problem.experiments[i] for i in self.tests]
         found: list[list[Nuisance]] = [
             [
@@ -308,9 +319,9 @@ class DamperModel(EffectModel[DamperProblem]):
             for one in experiments
         ]
         changes = [
-            (uncertain, change, self._through(uncertain, values))
+            (uncertain, change, self._through(uncertain, around))
             for number, (uncertain, *_) in enumerate(self.problem.uncertain_inputs)
-            if (change := self._change(number, values)) is not None
+            if (change := self._change(number, around)) is not None
         ]
         for k, one in enumerate(experiments):
             ways = []
