@@ -51,7 +51,7 @@ def judge(
         return about
     hidden = [{e["name"], *e.get("accept", ())} for e in truth["effects"]]
     nowhere = set(READINGS).difference(*hidden)
-    effects = [e for e in result.get("effects") or () if e["name"] not in nowhere]
+    effects = [e for e in _told(result) if e["name"] not in nowhere]
     found = [e["name"] for e in effects]
     error = _error(truth, result, validate)
     true = [] if about["kind"] == "unlisted" else hidden
@@ -66,6 +66,19 @@ def judge(
         "ratio": None if error is None else error / about["floor"],
         "inside": _inside(truth, result) if right else None,
     }
+
+
+def _told(result: Mapping[str, Any]) -> list[Mapping[str, Any]]:
+    """What a result names: its effects, the one fault of a test that disagrees, spikes that are left out of the fit.
+
+    A report tells all three. Of several faults that one test may have none is named.
+    """
+    told = list(result.get("effects") or ())
+    known = {(e["name"], e.get("form")) for e in told}
+    faults = [test["faults"] for test in result.get("outlying_tests") or () if len(test["faults"]) == 1]
+    told += [fault for (fault,) in faults if (fault["name"], fault["form"]) not in known]
+    spikes = result.get("spikes") or {}
+    return told + [{"name": "spikes", "form": channel} for channel, tests in spikes.items() if tests]
 
 
 def _inside(truth: Mapping[str, Any], result: Mapping[str, Any]) -> list[int] | None:

@@ -96,7 +96,8 @@ ACCEPT: dict[str, tuple[str, ...]] = {
     "moving_mass": ("inertia",),
     "guide_friction": ("friction",),
     "dead_weight": ("offset", "static_offset"),
-    "cell_nonlinearity": ("one_sided",),
+    "load_cell_hysteresis": ("reversibility",),
+    "cell_nonlinearity": ("one_sided", "linearity"),
     "channel_lag": ("lag",),
     "unequal_filters": ("lag",),
     "force_drift": ("drift",),
@@ -110,5 +111,4 @@ ACCEPT: dict[str, tuple[str, ...]] = {
     "zero_of_one_test": ("offset",),
     "lag_of_one_test": ("lag",),
 }
-"""Names by which the program may call an effect, for the judge, by people who know both. It has none for hysteresis
-of a load cell and for spikes."""
+"""Names by which the program may call an effect, for the judge, by people who know both. It calls spikes so, too."""

@@ -87,6 +87,24 @@ def test_a_hidden_reading_counts() -> None:
     assert judged(truth("clean_F"), result("extremes"))["found"] == []
 
 
+def test_faults_of_tests_and_spikes_are_named_too() -> None:
+    """What a report says of one test, or leaves out of the fit, is named as an effect is, and counts against it too."""
+    lag = {"name": "lag", "form": "delay_of_test_2"}
+    reported = result("payne")
+    reported["outlying_tests"] = [{"test": "test_02", "faults": [lag]}]
+    assert judged(truth("two_F", "lag", "payne"), reported)["all"]
+    reported["effects"].append(lag)  # told in both places, once
+    assert judged(truth("two_F", "lag", "payne"), reported)["found"] == ["payne", "lag"]
+    assert not judged(truth("one_F", "payne"), reported)["all"]
+    several = result("payne")
+    several["outlying_tests"] = [{"test": "test_02", "faults": [lag, {"name": "clock", "form": "of_test_2"}]}]
+    assert judged(truth("two_F", "lag", "payne"), several)["found"] == ["payne"]
+    spiky = result("lag")
+    spiky["spikes"] = {"force": {"test_01": [0.5]}, "displacement": {}}
+    assert judged(truth("two_F", "spikes", "lag"), spiky)["all"]
+    assert not judged(truth("one_F", "lag"), spiky)["all"]
+
+
 def test_intervals_count_where_the_effects_are_right() -> None:
     assert judged(truth("one_F", "lag"), result("lag"))["inside"] == [0, 1]
     assert judged(truth("one_F", "lag"), result("hum"))["inside"] is None
