@@ -12,6 +12,7 @@ from edesign.calibration.signals.windows import blackman_harris
 
 _ABOVE_MOTION = 7.5  # the first seven harmonics of a motion are below that times its frequency: they are the specimen's
 _LOWEST = 5.0  # Hz
+_SEEN = 0.45  # of the rate of sampling: above it the window meets the image of what it shows
 _MOST = 3
 _FINENESS = 4  # frequencies within 1 / duration
 _NEIGHBOURS = 20  # of the background, in 1 / duration to each side
@@ -27,10 +28,11 @@ def common_tones(
 ) -> tuple[float, ...]:
     """Return the frequencies of narrow peaks above the noise, Hz, the strongest first.
 
-    Of each test the frequencies above the seventh harmonic of its motion count, up to half the rate of the slowest
-    sampling, and below it those that are no harmonic of its motion. A motion of several tones makes all their sums and
-    differences in a law that is not linear, so of such a test no lower ones count. A peak must stand out in the mean of
-    power over background, over those tests, half of all or more, whose law has no peak there.
+    Up to half the highest rate of sampling. A slower test shows a tone at its image, where its samples have it
+    (Shannon 1949). Of each test the frequencies above the seventh harmonic of its motion count, and below it those that
+    are no harmonic of its motion. A motion of several tones makes all their sums and differences in a law that is not
+    linear, so of such a test no lower ones count. A peak must stand out in the mean of power over background, over
+    those tests, half of all or more, whose law has no peak there.
 
     Args:
         motions: of the tests, at full rate.
@@ -41,23 +43,31 @@ def common_tones(
         return ()
     longest = max(float(one.since[-1]) for one in motions)
     shortest = min(float(one.since[-1]) for one in motions)
-    highest = 0.45 / max(float(np.median(one.steps)) for one in motions)
+    rates = [1.0 / float(np.median(one.steps)) for one in motions]
+    highest = _SEEN * max(rates)
     if highest <= _LOWEST:
         return ()
     grid = np.arange(_LOWEST, highest, 1.0 / (_FINENESS * longest))
+    images = [np.abs(grid - rate * np.round(grid / rate)) for rate in rates]
     residuals = [force - of_law for force, of_law in zip(forces, predicted, strict=True)]
-    heights = np.array([_over_background(m, r, grid) for m, r in zip(motions, residuals, strict=True)])
-    of_law = np.array([_over_background(m, f, grid) for m, f in zip(motions, predicted, strict=True)])
-    counts = (of_law < _OF_THE_LAW) & np.array([_not_of_motion(one, grid) for one in motions])
+    heights = np.array([_over_background(*each) for each in zip(motions, residuals, images, strict=True)])
+    of_law = np.array([_over_background(*each) for each in zip(motions, predicted, images, strict=True)])
+    own = [(one >= _LOWEST) & (one <= _SEEN * rate) for one, rate in zip(images, rates, strict=True)]
+    counts = (
+        (of_law < _OF_THE_LAW) & own & np.array([_not_of_motion(*each) for each in zip(motions, images, strict=True)])
+    )
     number = np.maximum(counts.sum(axis=0), 1)
-    common = np.sum(np.where(counts, np.minimum(heights, _ONE_TEST), 0.0), axis=0) / number
-    common[counts.sum(axis=0) < 0.5 * len(motions)] = 0.0
-    strength = np.sum(np.where(counts, heights, 0.0), axis=0) / number
+    enough = counts.sum(axis=0) >= 0.5 * len(motions)
     found: list[float] = []
-    while len(found) < _MOST and np.any(common > _STANDS_OUT):
-        top = int(np.argmax(np.where(common > _STANDS_OUT, strength, 0.0)))
+    while len(found) < _MOST:
+        each = np.where(counts, heights, 0.0)
+        common = np.where(enough, np.sum(np.minimum(each, _ONE_TEST), axis=0) / number, 0.0)
+        if not np.any(common > _STANDS_OUT):
+            break
+        top = int(np.argmax(np.where(common > _STANDS_OUT, np.sum(each, axis=0) / number, 0.0)))
         found.append(_finer(motions, residuals, float(grid[top]), 1.0 / longest))
-        common[np.abs(grid - grid[top]) < _WIDTH / shortest] = 0.0
+        for own_heights, image in zip(heights, images, strict=True):
+            own_heights[np.abs(image - image[top]) < _WIDTH / shortest] = 0.0
     return tuple(found)
 
 

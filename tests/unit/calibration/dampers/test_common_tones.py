@@ -100,6 +100,18 @@ def test_a_tone_between_harmonics_of_all_motions_is_found() -> None:
     assert tones(motions, left) == pytest.approx((6.1,), abs=0.25 / DURATION)
 
 
+def test_a_tone_above_half_the_rate_of_slow_tests_is_found_by_its_images() -> None:
+    """60 Hz, sampled with 25 and 50 Hz, stands at 10 Hz (Shannon 1949), and at 60 Hz in the test of 200 Hz."""
+    motions = [sine(rate, 0.5, i) for i, rate in enumerate((25.0, 50.0, 50.0, 200.0))]
+    left = noise(motions, 7)
+    for i, (one, residual) in enumerate(zip(motions, left, strict=True)):
+        residual += 3.0 * NOISE * np.sin(W * 60.0 * one.time + i)
+    assert tones(motions, left) == pytest.approx((60.0,), abs=0.25 / DURATION)
+    for one, residual in zip(motions, left, strict=True):
+        residual += 2.0 * NOISE * np.sin(W * 8.3 * one.time)
+    assert tones(motions, left) == pytest.approx((60.0, 8.3), abs=0.25 / DURATION)
+
+
 def test_what_a_motion_of_two_tones_makes_of_a_wrong_law_is_no_tone() -> None:
     """The cube of 2 and 2.9 Hz has 6 and 8.7 Hz, and 6.8 and 7.8 Hz that are harmonics of neither."""
     both = [(sine(200.0, 2.0, i), sine(200.0, 2.9, i)) for i in range(3)]
