@@ -186,7 +186,8 @@ class Effect:
             if pick < 0.5:
                 self.form = "stiffening"
                 P["doubling_stretch_mm"] = F / P["stiffness_kN_per_mm"] * B(0, 0.8, 1.5)
-            accept = ["relaxation_branch"] if law == "kelvin_voigt" else ["lag"]
+            # a spring in series with Kelvin and Voigt's element is a branch, and is that element behind a low-pass
+            accept = ["relaxation_branch", "lag"] if law == "kelvin_voigt" else ["lag"]
         elif n == "lag":
             self.form = "two_filters" if pick < 0.5 else "delay"
             tick = 1 / (4 * c["fs"])

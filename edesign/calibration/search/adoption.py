@@ -180,8 +180,7 @@ class Adoption:
             return "motion_noise"
         if not fitter.difference(model, rest, noise, rest).sure:
             return "not_needed"
-        # what explains less than the equations of the others may be wrong by is one of several, or such an error
-        if explained > self._errors(model, index):
+        if not self._may_be_error(model, explained, self._errors(model, index)):
             return None
         others = self._variants.in_place(model.effects[index], rest, model)
         return None if self._beats(model, others, noise, rest) else "alike"
@@ -206,6 +205,19 @@ class Adoption:
         """Return whether a model is surely better than each of those that have something else beside a known one."""
         return all(self._fitter.difference(model, one, noise, known).sure for one in others)
 
+    def _may_be_error(self, model: FittedModel, explained: float, errors: float) -> bool:
+        """Return whether what an effect explains is one of several, or an error of the equations of others.
+
+        It is less than these may be wrong by. And as much is left as another equation of one effect leaves of it: what
+        is no error of them is explained better than that by its own equation alone.
+
+        Args:
+            model: with the effect.
+            explained: share of the power of what was measured that the effect explains beside the others.
+            errors: by which the equations of the others may be wrong, likewise.
+        """
+        return explained <= errors and model.nrms > self._fitter.settings.median_discrepancy**2 * explained
+
     def _errors(self, model: FittedModel, without: int = -1) -> float:
         """Return the share of the power of what was measured by which equations of effects, but one, may be wrong."""
         sizes = [model.size(i) for i, one in enumerate(model.effects) if i != without and not one.exact]
@@ -229,7 +241,8 @@ class Adoption:
             changes, explained = one.model.changes, known.nrms - one.model.nrms
             every = [each.model for each in tried]
             others = [each for each in every if not (each.changes <= changes or each.changes >= changes)]
-            if explained <= self._errors(known) and not self._beats(one.model, others, noise, known):
+            error = self._may_be_error(one.model, explained, self._errors(known))
+            if error and not self._beats(one.model, others, noise, known):
                 self.refused[one.model.key] = Refusal("alike")
                 continue
             better = self._variants.with_best_forms(one.model, noise)
