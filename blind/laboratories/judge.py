@@ -31,10 +31,11 @@ def judge(
         validate: names of the tests to validate.
 
     Returns:
-        The score. `first`, `all` are None where there is nothing to name; `ratio` is the error on the tests to
-        validate over the floor of the truth, both as powers, None where there is none; `inside` are the parameters of
-        the law whose 95 % interval holds the true value, and all that were fitted, where the effects are those hidden
-        and not others that are accepted for them: beside a lag, the stiffness is not that beside a flexible rig.
+        The score. `first`, `all` are None where there is nothing to name. What an effect is as well (`parts` of the
+        truth: a wandering zero is not nothing where a test begins) may be named too. `ratio` is the error on the tests
+        to validate over the floor of the truth, both as powers, None where there is none. `inside` are the parameters
+        of the law whose 95 % interval holds the true value, and all that were fitted, where the effects are those
+        hidden and not others that are accepted for them: beside a lag, the stiffness is not that beside a flexible rig.
     """
     about = {
         "name": name,
@@ -50,7 +51,8 @@ def judge(
     if result is None:
         return about
     hidden = [{e["name"], *e.get("accept", ())} for e in truth["effects"]]
-    nowhere = set(READINGS).difference(*hidden)
+    parts = {part for e in truth["effects"] for part in e.get("parts", ())}
+    nowhere = parts.union(READINGS).difference(*hidden)
     effects = [e for e in _told(result) if e["name"] not in nowhere]
     found = [e["name"] for e in effects]
     error = _error(truth, result, validate)

@@ -198,6 +198,7 @@ def campaign(category, rng, state):
                 "equation": e["equation"],
                 "parameters": hidden.to_si(e["par"]),
                 "accept": acc,
+                "parts": ["offset"] if e["par"].get("form") == "wander" else [],
             }
             if "alone" in e:
                 t["nrms_after_refit_alone"] = e["alone"]

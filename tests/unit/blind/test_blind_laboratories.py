@@ -87,6 +87,14 @@ def test_a_hidden_reading_counts() -> None:
     assert judged(truth("clean_F"), result("extremes"))["found"] == []
 
 
+def test_a_part_of_a_hidden_effect_may_be_named_beside_it() -> None:
+    wanders = truth("one_F", "drift")
+    wanders["effects"][0]["parts"] = ["offset"]
+    assert judged(wanders, result("drift", "offset"))["all"]
+    assert not judged(wanders, result("offset"))["all"]
+    assert not judged(truth("one_F", "drift"), result("drift", "offset"))["all"]
+
+
 def test_faults_of_tests_and_spikes_are_named_too() -> None:
     """What a report says of one test, or leaves out of the fit, is named as an effect is, and counts against it too."""
     lag = {"name": "lag", "form": "delay_of_test_2"}
