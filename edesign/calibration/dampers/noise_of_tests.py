@@ -8,13 +8,13 @@ from contextlib import suppress
 from dataclasses import replace
 
 import numpy as np
-from scipy.integrate import cumulative_trapezoid
 from scipy.interpolate import PchipInterpolator
-from scipy.ndimage import maximum_filter1d, minimum_filter1d, uniform_filter1d
+from scipy.ndimage import uniform_filter1d
 
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.motion import Motion
 from edesign.calibration.dampers.problem import DamperProblem
+from edesign.calibration.dampers.rests import at_rest, held
 from edesign.calibration.signals.corners import cornered
 from edesign.calibration.signals.interpolation import CUBIC, SMOOTH, Interpolation
 from edesign.calibration.signals.noise import MOST_NOISE, least_noise, smooth, white_noise
@@ -25,9 +25,6 @@ _OF_EQUAL_RIGHT = 0.25  # of the power of the difference of two curves
 _AGAIN = 6  # times that noise is added
 _EVENED = 0.1  # s, over which its effect is evened out
 _MOST_TIMES = 4.0  # its power over that by a model
-_REST = 0.5  # s, that a rest lasts at least
-_STRAYS = 2.0  # standard deviations of the noise, within which a motion at rest stays meanwhile
-_SLOW = 0.01  # of the largest velocity, which no motion at rest has
 
 
 def smoothed_motion(
@@ -53,7 +50,7 @@ def smoothed_motion(
     if degree != CUBIC:
         return Motion.along(time, found, degree), noise
     if not corners:
-        return Motion(time, found, velocity, acceleration), noise
+        return held(Motion(time, found, velocity, acceleration), displacement, noise), noise
     cubics = PchipInterpolator(time, displacement)
     velocity = cubics(time, 1)
     return Motion(time, displacement, velocity, np.gradient(velocity, time), cornered=True), noise
@@ -82,12 +79,10 @@ def with_noise(
         PredictionError: the model cannot predict the tests with noise.
     """
     random = np.random.default_rng(len(problem.experiments))
-    rests = [_rests(one.motion, one.displacement_noise) for one in problem.experiments]
-    still = [replace(one, motion=_still(one.motion, at)) for one, at in zip(problem.experiments, rests, strict=True)]
-    power, plain = [np.zeros_like(force) for force in predicted], forces_of(problem.with_experiments(still))
-    for _ in range(_AGAIN if any(one.displacement_noise for one in still) else 0):
+    power, plain = [np.zeros_like(force) for force in predicted], forces_of(problem)
+    for _ in range(_AGAIN if any(one.displacement_noise for one in problem.experiments) else 0):
         again = []
-        for one, at in zip(still, rests, strict=True):
+        for one in problem.experiments:
             motion = one.motion
             if one.displacement_noise > 0.0:
                 noisy = motion.displacement + one.displacement_noise * random.standard_normal(motion.time.size)
@@ -96,7 +91,7 @@ def with_noise(
                 if problem.law.rate_dependent and not motion.cornered:
                     # of what wavelets take off the velocity all may have been motion; a law of a power of it sees it
                     whole = smooth(motion.time, noisy, rests=False, noise=noise)[1]
-                    motion = replace(motion, velocity=np.where(at, motion.velocity, whole))
+                    motion = replace(motion, velocity=np.where(at_rest(motion), motion.velocity, whole))
             again.append(replace(one, motion=motion))
         for own, force, moved in zip(power, plain, forces_of(problem.with_experiments(again)), strict=True):
             own += (moved - force) ** 2 / _AGAIN
@@ -176,26 +171,6 @@ def _along_another(motion: Motion) -> tuple[Motion, np.ndarray | None]:
     if between is None or not between.matters:
         return motion, None
     return Motion.along(time, u, SMOOTH if between.degree == CUBIC else CUBIC), between.of_difference(u.size)
-
-
-def _rests(motion: Motion, noise: float) -> np.ndarray:
-    """Return whether samples (n,) are of rests: they move by no more than noise, m, and slowly beside the fastest."""
-    wide = round(_REST / float(np.median(motion.steps)))
-    if motion.cornered or noise == 0.0 or not 1 < wide < motion.time.size:
-        return np.zeros(motion.time.size, dtype=bool)
-    u, speed = motion.displacement, np.abs(motion.velocity)
-    strayed = maximum_filter1d(u, wide) - minimum_filter1d(u, wide)
-    fast = maximum_filter1d(speed, wide) > _SLOW * float(np.max(speed))
-    return np.asarray(maximum_filter1d(((strayed <= _STRAYS * noise) & ~fast).astype(np.uint8), wide), dtype=bool)
-
-
-def _still(motion: Motion, rests: np.ndarray) -> Motion:
-    """Return a motion without what it moves in rests (n,), which the displacement loses from there on."""
-    if not np.any(rests):
-        return motion
-    lost = cumulative_trapezoid(np.where(rests, motion.velocity, 0.0), motion.time, initial=0.0)
-    velocity, acceleration = (np.where(rests, 0.0, values) for values in (motion.velocity, motion.acceleration))
-    return replace(motion, displacement=motion.displacement - lost, velocity=velocity, acceleration=acceleration)
 
 
 def _channel_noise(test: Experiment, predicted: np.ndarray) -> float:
