@@ -453,42 +453,46 @@ class Fitter:
         """
         key = tuple(effect.label for effect in model.effects), index
         if key not in self._equations:
-            every = self.alternatives(model, index, np.ones(len(model.left)), here=True)
-            found = [one / np.linalg.norm(one) for _, _, one in every] or [np.zeros(np.concatenate(model.left).size)]
+            every = [np.concatenate(change) for _, _, change in self.alternatives(model, index, here=True)]
+            found = [one / np.linalg.norm(one) for one in every] or [np.zeros(np.concatenate(model.left).size)]
             u, s, _ = np.linalg.svd(np.column_stack(found), full_matrices=False)
             keep = s > _NEGLIGIBLE * s[0]
             self._equations[key] = u[:, keep] * (s[keep] / np.sqrt(np.sum(s**2)))
         return self._equations[key] * float(np.linalg.norm(np.concatenate(model.contribution(index))))
 
+    def changes(
+        self, effects: tuple[Effect, ...], values: np.ndarray, plain: Columns, form: Effect
+    ) -> Iterator[tuple[np.ndarray, list[np.ndarray]]]:
+        """Return what a form of an effect changes beside others (n_i,) of each test, at each start where it can.
+
+        Args:
+            values: (p,) SI, of the base and the others.
+            plain: (n_i,) of each test, predicted without the form.
+        """
+        starts = np.array([[*values, *start] for start in form.starts])
+        for start, there in zip(form.starts, self.predict((*effects, form), starts), strict=True):
+            if not isinstance(there, PredictionError) and all(np.isfinite(f).all() for f in there):
+                yield np.array(start), [f - g for f, g in zip(there, plain, strict=True)]
+
     def alternatives(
-        self, model: FittedModel, index: int, weights: Sequence[float] | np.ndarray, here: bool = False
-    ) -> list[tuple[Effect, np.ndarray, np.ndarray]]:
+        self, model: FittedModel, index: int, here: bool = False
+    ) -> Iterator[tuple[Effect, np.ndarray, list[np.ndarray]]]:
         """Return what other equations of an effect do in its place, at each of their starts.
 
         Args:
-            weights: (tests,) by which changes are multiplied.
             here: whether only those are asked for that act in the same tests.
 
         Returns:
-            Form, start (p,) SI, and weighted change (n,) of all tests.
+            Form, start (p,) SI, and change (n_i,) of each test.
         """
-        effect = model.effects[index]
-        others, values = model.without(index)
+        effect, (others, values) = model.effects[index], model.without(index)
         plain = [f - c for f, c in zip(model.fit.predicted, model.contribution(index), strict=True)]
-        found = []
         for form in self.problem.effects:
-            if form.name != effect.name or form.label == effect.label or form.nuisance or not form.parameters:
-                continue
-            if here and form.tests != effect.tests:
-                continue
-            starts = np.array([[*values, *start] for start in form.starts])
-            for start, there in zip(form.starts, self.predict((*others, form), starts), strict=True):
-                if isinstance(there, PredictionError):
-                    continue
-                change = np.concatenate([w * (a - b) for w, a, b in zip(weights, there, plain, strict=True)])
-                if np.isfinite(change).all() and change.any():
-                    found.append((form, np.array(start), change))
-        return found
+            other = form.name == effect.name and form.label != effect.label and form.parameters and not form.nuisance
+            if other and (form.tests == effect.tests or not here):
+                for start, change in self.changes(others, values, plain, form):
+                    if any(c.any() for c in change):
+                        yield form, start, change
 
     def in_order(self, model: FittedModel, order: Sequence[int]) -> FittedModel:
         """Return a model with its effects in another order."""

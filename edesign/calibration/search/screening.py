@@ -27,7 +27,6 @@ import numpy as np
 
 from edesign.calibration.search.models import FittedModel, Fitter, Start
 from edesign.estimation.left_out import PRIOR_FREEDOM
-from edesign.estimation.model import PredictionError
 from edesign.estimation.noise import Noise
 
 _TYPICAL = 0.1  # of what was measured: standard deviation of what an effect does that is not linear in its size
@@ -117,26 +116,21 @@ def _candidates(
         if effect.name in model.names:
             continue
         screened += 1
-        effects = (*model.effects, effect)
-        values = np.array([[*model.fit.values, *start] for start in effect.starts])
         if effect.nuisance:
-            fitter.effort.spend(len(values), effects)
+            effects, of_effect = (*model.effects, effect), [Start(effect, np.array(s)) for s in effect.starts]
+            fitter.effort.spend(len(of_effect), effects)
             columns_at = fitter.problem.model(effects).nuisance_columns
-            of_effect = [Start(effect, np.array(s)) for s in effect.starts]
-            nuisance += [(start, columns_at(v)) for start, v in zip(of_effect, values, strict=True)]
+            nuisance += [(start, columns_at(np.append(model.fit.values, start.values))) for start in of_effect]
             continue
-        for start, there in zip(effect.starts, fitter.predict(effects, values), strict=True):
-            if isinstance(there, PredictionError):
-                continue
-            change = [f - g for f, g in zip(there, model.fit.predicted, strict=True)]
+        for start, change in fitter.changes(model.effects, model.fit.values, model.fit.predicted, effect):
             power = float(np.linalg.norm(np.concatenate(change)))
-            if not np.isfinite(power) or power < _SEEN * size:
+            if power < _SEEN * size:
                 continue
             # by how many prior standard deviations of its size it stands for
             unit = 1.0
             if effect.parameters:
                 unit = effect.parameters[0].coordinate(start[0]) if effect.linear else power / (_TYPICAL * size)
-            starts.append(Start(effect, np.array(start)))
+            starts.append(Start(effect, start))
             for of_test, of_change in zip(columns, change, strict=True):
                 of_test.append(of_change[:, np.newaxis] / unit)
     return [np.hstack(of_test) for of_test in columns], starts, nuisance, screened

@@ -112,7 +112,8 @@ class Variants:
             both = zip(weights, model.contribution(index), model.left, strict=True)
             target = np.concatenate([w * (c + r) for w, c, r in both])
             like: dict[str, tuple[float, Start]] = {}
-            for form, values, change in fitter.alternatives(model, index, weights):
+            for form, values, changes in fitter.alternatives(model, index):
+                change = np.concatenate([w * c for w, c in zip(weights, changes, strict=True)])
                 share = float(change @ target) / float(change @ change)
                 near = share * float(change @ target)
                 if near > like.get(form.label, (-1.0,))[0]:

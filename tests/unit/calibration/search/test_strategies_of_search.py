@@ -180,7 +180,7 @@ def test_what_is_right_by_what_it_is_hides_nothing_small() -> None:
     zero = effect("zero", "constant", lambda p, i, u, v: p[0] + 0.0 * u)
     like = effect("bulge", "cubic", lambda p, i, u, v: p[0] * (u**3 + 0.02 * u**5))
     hidden = effect("hardening", "cubic", lambda p, i, u, v: p[0] * u**3)
-    problem = CurveProblem(effects=(zero, hidden, like), truth=((zero, (3.0,)), (hidden, (0.2,))), noise=0.003)
+    problem = CurveProblem(effects=(zero, hidden, like), truth=((zero, (3.0,)), (hidden, (0.2,))), noise=0.01)
     assert found(problem).best.names == {"zero"}
     names = found(replace(problem, effects=(replace(zero, exact=True), hidden, like))).best.names
     assert names in ({"zero", "hardening"}, {"zero", "bulge"})
