@@ -276,7 +276,7 @@ def test_a_small_pair_that_another_pair_explains_as_well_is_an_error_of_the_larg
         return linear(one, [m + c for m, c in zip(error, apart, strict=True)]), linear(other, apart)
 
     first, second = pair("first", "second", 52), pair("third", "fourth", 53)
-    problem = CurveProblem(effects=(cubic, *first), truth=((truth, (0.5,)),), noise=0.002)
+    problem = CurveProblem(effects=(cubic, *first), truth=((truth, (0.5,)),), noise=0.003)
     assert found(problem).best.names == {"hardening", "first", "second"}
     assert found(replace(problem, effects=(cubic, *first, *second))).best.names == {"hardening"}
 
