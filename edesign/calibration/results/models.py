@@ -28,8 +28,8 @@ _FAR = 50.0  # log density: what is that far behind has no share, however exactl
 class Posterior:
     """Models of a search, each compared with the one that stands by the rule of adoption.
 
-    Models that a gate refuses have no share. Of the others the odds are those of the comparison, moderated by its
-    error, and every effect more has the prior odds at which the rule begins to see a gain.
+    Models that a gate refuses have no share. Of the others the odds are those of the comparison. Every effect more has the
+    prior odds at which the rule begins to see a gain. Both together are moderated by the error of the comparison.
 
     Source: moderated odds: MacKay (1992), Neural Computation 4, 720-736, Eq. 10.
 
@@ -89,8 +89,8 @@ class Posterior:
         if model.key in self.refused or math.isnan(behind.total):
             return 0.0
         more = len(model.effects) - len(self.best.effects)
-        moderated = behind.total / math.sqrt(1.0 + math.pi / 8.0 * behind.error**2)
-        return math.exp(min(-moderated - LEAST_GAIN * more, _FAR))
+        moderated = (behind.total + LEAST_GAIN * more) / math.sqrt(1.0 + math.pi / 8.0 * behind.error**2)
+        return math.exp(min(-moderated, _FAR))
 
     def why_not(self, i: int) -> str:
         """Return why a model that is ahead, or refused, is not the one that stands; "" if it is behind."""

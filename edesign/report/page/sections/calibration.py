@@ -148,8 +148,9 @@ def effects(view: View) -> Section:
 def open_questions(view: View) -> Section:
     """Return what is left, confounded effects, and the test that would separate them."""
     found = view.calibration
+    left = percent(found.errors["corrected"].validate)
     rows = [
-        ("Left", found.unexplained_shape or f"only noise, an NRMS of {percent(found.noise_floor)} %"),
+        ("Left", found.unexplained_shape or f"only noise, an NRMS of {left} %"),
         *(
             (name_of(one.name), "cannot be separated from " + " or ".join(map(name_of, one.indistinguishable_from)))
             for one in found.effects
