@@ -204,6 +204,16 @@ def test_a_test_without_cycles_does_not_show_what_repeats() -> None:
     assert repeatability(Cycles(t, earthquake(t)[0]), np.random.default_rng(10).standard_normal(t.size)) is None
 
 
+def test_a_sweep_does_not_repeat() -> None:
+    """A force of the displacement alone that the model lacks returns at another phase: it is no noise."""
+    t = np.arange(0.0, 20.0, 1.0 / 100.0)
+    f0, f1 = 0.3, 2.5
+    u = A * np.sin(2.0 * np.pi * (f0 * t + (f1 - f0) / 40.0 * t * t))
+    left = 2e3 * np.sin(2.0 * np.pi * u / 0.005) + 100.0 * np.random.default_rng(3).standard_normal(t.size)
+    assert Cycles(t, u).steady_parts()
+    assert repeatability(Cycles(t, u), left) is None
+
+
 def _rms(values: np.ndarray) -> float:
     return float(np.sqrt(np.mean(values**2)))
 

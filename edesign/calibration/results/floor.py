@@ -15,7 +15,7 @@ from edesign.calibration.dampers.nuisance import joined
 from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.dampers.sizes import APART
 from edesign.calibration.residual.cycles import Cycles
-from edesign.calibration.residual.repeatability import repeatability
+from edesign.calibration.residual.repeatability import SAME, repeatability
 from edesign.calibration.residual.series import Errors, Worst
 from edesign.calibration.residual.tones import without_tones
 from edesign.calibration.results.predictions import judged
@@ -25,7 +25,6 @@ from edesign.damper.testing.measured_histories import USES, Use
 from edesign.estimation.model import PredictionError
 from edesign.estimation.noise import MOST, most_noise
 
-_SAME = 0.02  # of the rms displacement: motions that differ by less are one motion made twice
 _LONG, _MUCH = 0.25, 0.5  # of a test and of the range of its motion: beginnings that stand for all of it
 _FARTHEST = 2.0  # standard deviations of a thermometer's error, up to which it is one
 
@@ -250,7 +249,7 @@ def _together(one: Experiment, other: Experiment) -> int:
     since, own = one.motion.since, one.motion.displacement
     longest = int(np.searchsorted(since, other.motion.since[-1], side="right"))
     apart = own - np.interp(since, other.motion.since, other.motion.displacement)
-    alike = np.flatnonzero(np.cumsum(apart**2)[:longest] <= _SAME**2 * np.cumsum(own**2)[:longest])
+    alike = np.flatnonzero(np.cumsum(apart**2)[:longest] <= SAME**2 * np.cumsum(own**2)[:longest])
     n = int(alike[-1]) + 1 if alike.size else 0
     large = n > 0 and float(np.ptp(own[:n])) >= _MUCH * float(np.ptp(own))
     return n if large and n >= _LONG * since.size else 0

@@ -28,8 +28,8 @@ _FAR = 50.0  # log density: what is that far behind has no share, however exactl
 class Posterior:
     """Models of a search, each compared with the one that stands by the rule of adoption.
 
-    Models that a gate refuses have no share. Of the others the odds are those of the comparison. Every effect more has the
-    prior odds at which the rule begins to see a gain. Both together are moderated by the error of the comparison.
+    Models that a gate refuses have no share. Of the others the odds are those of the comparison. Every effect more has
+    the prior odds at which the rule begins to see a gain. Both are moderated together by the error of the comparison.
 
     Source: moderated odds: MacKay (1992), Neural Computation 4, 720-736, Eq. 10.
 
