@@ -16,7 +16,7 @@ made in `results`.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -182,8 +182,10 @@ class Adoption:
             return "not_needed"
         if not self._may_be_error(model, explained, self._errors(model, index)):
             return None
-        others = self._variants.in_place(model.effects[index], rest, model)
-        return None if self._beats(model, others, noise, rest) else "alike"
+        rough = self._variants.in_place(model.effects[index], rest, model)
+        # what is as good by a few steps is as good at the end, which is not asked for then
+        beats = self._beats(model, rough, noise, rest, roughly=True)
+        return None if beats and self._beats(model, map(fitter.reweighted, rough), noise, rest) else "alike"
 
     def insignificant(self, model: FittedModel, index: int) -> bool:
         """Return whether the size of an effect may be nothing (95 %), or is at a bound, where it is another effect.
@@ -201,9 +203,11 @@ class Adoption:
         found = None if rest is None else self._fitter.outlier(rest, model, index)
         return rest is not None and not (found is not None and found.sure)
 
-    def _beats(self, model: FittedModel, others: Sequence[FittedModel], noise: Noise, known: FittedModel) -> bool:
+    def _beats(
+        self, model: FittedModel, others: Iterable[FittedModel], noise: Noise, known: FittedModel, roughly: bool = False
+    ) -> bool:
         """Return whether a model is surely better than each of those that have something else beside a known one."""
-        return all(self._fitter.difference(model, one, noise, known).sure for one in others)
+        return all(self._fitter.difference(model, one, noise, known, roughly=roughly).sure for one in others)
 
     def _may_be_error(self, model: FittedModel, explained: float, errors: float) -> bool:
         """Return whether what an effect explains is one of several, or an error of the equations of others.

@@ -181,10 +181,13 @@ class FittedModel:
 
     @cached_property
     def at_floor(self) -> bool:
-        """Whether it leaves no more than noise of all tests, and of each, as well as the size of the noise is known."""
+        """Whether it leaves no more than noise, as well as that is known: without effects, of each test too.
+
+        With effects what one test leaves alone is an error of their equations rather than one more effect.
+        """
         left = np.array([float(r @ r) / r.size for r in self.left]) / np.array(self.problem.deviations) ** 2
         each = [one <= most_noise(r.size, left.size) for one, r in zip(left, self.left, strict=True)]
-        return bool(np.mean(left) <= 1.0 + math.sqrt(2.0 / PRIOR_FREEDOM)) and all(each)
+        return bool(np.mean(left) <= 1.0 + math.sqrt(2.0 / PRIOR_FREEDOM)) and (bool(self.effects) or all(each))
 
     def places(self, index: int) -> range:
         """Indices of the parameters of an effect."""

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
-from contextlib import suppress
 from dataclasses import dataclass
 from typing import Literal
 
@@ -135,7 +135,7 @@ class Search:
             with fitter.effort.on("others in the place of an effect"):
                 rest = self._variants.refitted_without(best, index)
                 for one in () if rest is None else self._variants.in_place(effect, rest, best):
-                    self._note(one)
+                    self._note(fitter.reweighted(one))
         with fitter.effort.on("gates of adoption"):
             return self._overtaken()
 
@@ -201,19 +201,16 @@ class Search:
         return tuple(tried), None if adopted is None else self._note(adopted)
 
     def _close(self) -> None:
-        """Judge what is at hand when the effort is spent: the best model that passes all gates is the result."""
+        """Judge the best one of what is at hand when the effort is spent: it is the result if it passes all gates."""
         fitter = self._fitter
-        fitter.effort.most += self._settings.closing * self._settings.effort
-        self._progress("the effort is spent: judging what is fitted so far")
-        with suppress(EffortSpentError), fitter.effort.on("after the effort was spent"):
-            if not self._leaders and self._children:
-                for first in self._beam((self._best, *self._children), self._best.noise)[:1]:
-                    self._leaders.append(self._note(fitter.reweighted(first)))
-            self._variants.others = 0
+        fitter.effort.most = math.inf
+        self._progress("the effort is spent: judging the best model so far")
+        with fitter.effort.on("after the effort was spent"):
+            first = self._beam((self._best, *(self._leaders or self._children)), self._best.noise)[:1]
+            self._leaders = [self._note(fitter.reweighted(one)) for one in first]
             _, adopted = self._judged(self._best)
             if adopted is not None:
                 self._best = self._adoption.take(adopted)
-            self._overtaken()
 
     def _try(self, model: FittedModel, screening: Screening, noise: Noise) -> None:
         """Fit the model roughly with each of the effects and pairs that the screening puts first."""

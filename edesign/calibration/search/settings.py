@@ -36,7 +36,6 @@ class SearchSettings:
             left, that is the main thing which the model lacks, and their numbers are its as much as theirs.
         effort: weighted predictions of all tests, after which the search ends unfinished: of 24 campaigns (seed 6102 of
             polytechnic and harbour) 22 ended within 8 600.
-        closing: of the effort, within which the models that are fitted by then are judged.
     """
 
     beam: int = 4
@@ -52,7 +51,6 @@ class SearchSettings:
     least: float = 0.002
     share: float = 0.5
     effort: float = 10_000.0
-    closing: float = 0.2
 
 
 SETTINGS = SearchSettings()

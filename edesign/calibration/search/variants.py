@@ -16,14 +16,10 @@ class Variants:
 
     Args:
         base: the same, fitted; the declared one where that is fixed.
-
-    Attributes:
-        others: number of other equations of each effect that are tried to the end; 0: no effort is left for any.
     """
 
     def __init__(self, fitter: Fitter, declared: FittedModel, base: FittedModel) -> None:
         self._fitter, self._declared, self._base = fitter, declared, base
-        self.others = fitter.settings.others
         self._beside = dict[Key, dict[str, FittedModel]]()
         self._formed = dict[FittedModel, FittedModel]()
 
@@ -60,13 +56,12 @@ class Variants:
         return screen(self._fitter, model)
 
     def in_place(self, effect: Effect, rest: FittedModel, model: FittedModel) -> list[FittedModel]:
-        """Return models with another effect in the place of one, fitted: those that the screening puts first.
-
-        One that is surely behind is not fitted to the end.
+        """Return models with another effect in the place of one: those that the screening puts first, fitted roughly.
 
         Args:
             effect: that is replaced.
             rest: model without it.
+            model: with it, that they are not surely behind.
         """
         fitter, key = self._fitter, rest.key
         if key not in self._beside:
@@ -82,7 +77,7 @@ class Variants:
                     found[start.effect.name] = fitter.rough(grown, screening.noise)
             self._beside[key] = found
         others = [one for name, one in self._beside[key].items() if name != effect.name][: fitter.settings.others]
-        return [fitter.reweighted(one) for one in others if not fitter.behind(one, model)]
+        return [one for one in others if not fitter.behind(one, model)]
 
     def with_best_forms(self, model: FittedModel, noise: Noise) -> FittedModel:
         """Return the model with that equation of each effect that predicts best, fitted to the end; it is kept.
@@ -91,7 +86,7 @@ class Variants:
             noise: by which predictions are compared.
         """
         if model not in self._formed:
-            found = self.with_better_forms(model, noise, self.others) if self.others else model
+            found = self.with_better_forms(model, noise, self._fitter.settings.others)
             self._formed[model] = self._fitter.reweighted(found)
         return self._formed[model]
 

@@ -95,7 +95,7 @@ def test_an_effort_that_is_spent_ends_the_search_with_the_best_that_is_fitted() 
     spent = sum(found(problem).effort.values())
     names = []
     for effort in (40.0, 0.7 * spent):
-        result = found(problem, effort=effort, closing=2.0)
+        result = found(problem, effort=effort)
         assert result.ending == "effort_spent"
         names.append(result.best.names)
         before = sum(of for step, of in result.effort.items() if step != "after the effort was spent")
