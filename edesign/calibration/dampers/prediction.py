@@ -111,6 +111,7 @@ class Prediction:
         threads: at most so many.
         length: of a deformation in which the law changes, m.
         ordered: whether the order of the tests is known; otherwise each of them has a fresh specimen.
+        parts: into which each step is cut beyond what a fit needs.
     """
 
     def __init__(
@@ -122,9 +123,10 @@ class Prediction:
         threads: int = 1,
         length: float = 1e-3,
         ordered: bool = True,
+        parts: int = 1,
     ) -> None:
         self._law, self._experiments, self._gamma, self._lasting = law, tuple(experiments), gamma, lasting
-        self._threads, self._length, self._ordered = threads, length, ordered
+        self._threads, self._length, self._ordered, self._parts = threads, length, ordered, parts
         self._motions: Kept[Motion] = Kept(_MOTIONS)
         self._forces: Kept[np.ndarray | PredictionError] = Kept(_FORCES)
 
@@ -195,7 +197,7 @@ class Prediction:
         before: tuple[Hashable, ...] = ()
         for i in range(wanted[-1] + 1) if carries or lasting else wanted:
             test = self._experiments[i]
-            parts = test.parts(refined)
+            parts = test.parts(refined) * (self._parts if finer >= 1.0 else 1)
             with np.errstate(all="ignore"):
                 actuator, motion, key = self._moved(i, parts, effects)
                 moved = motion

@@ -55,6 +55,7 @@ class DamperProblem(TestedProblem):
         alone: parameters of the law alone by the tests alone, SI; {}: not fitted.
         belongs_to: what effects of the rig or the damper belong to, by name, as far as the campaign says it.
         near: parameters of the law near which nuisances are looked at, SI; {}: those of the law alone.
+        parts: into which each step of a prediction is cut beyond what a fit needs.
     """
 
     law: Law
@@ -69,6 +70,7 @@ class DamperProblem(TestedProblem):
     alone: Mapping[str, float] = field(default_factory=dict)
     belongs_to: Mapping[str, str] = field(default_factory=dict)
     near: Mapping[str, float] = field(default_factory=dict)
+    parts: int = 1
 
     @cached_property
     def fitted(self) -> tuple[int, ...]:
@@ -155,7 +157,8 @@ class DamperProblem(TestedProblem):
         own = gamma if self.law.name in gamma.laws else None
         threads = self.threads or os.cpu_count() or 1
         length = length_of(self.law, self.declared, self.typical.force, self.typical.displacement)
-        return Prediction(self.law, self.experiments, own, self.lasting, threads, length, self.typical.ordered)
+        ordered, tests = self.typical.ordered, self.experiments
+        return Prediction(self.law, tests, own, self.lasting, threads, length, ordered, self.parts)
 
     @cached_property
     def uncertain_inputs(self) -> tuple[tuple[UncertainInput, DamperProblem, DamperProblem], ...]:

@@ -22,6 +22,9 @@ from edesign.optional_stages import optional
 
 STEPS = 8
 """Of a fit that begins near its end."""
+_FINER, _FINEST = 4, 16
+"""Times, and times in all, that steps are cut: steps of a fit are of 5 ms or less, a contact lasts a millisecond."""
+_OF_ERROR = 0.1  # of its standard error, by which errors of steps may move a parameter: the interval is as wide then
 
 
 def unbounded(problem: Problem, settings: SearchSettings) -> Fitter:
@@ -46,6 +49,32 @@ def at_full_rate(fitter: Fitter, model: FittedModel) -> FittedModel:
     if found is None:
         raise PredictionError(f"{model.label} cannot be fitted to all samples")
     return fitter.reweighted(found)
+
+
+def resolved(model: FittedModel, settings: SearchSettings) -> FittedModel:
+    """Return a model fitted with steps so fine that finer ones move no parameter by more than a share of its error.
+
+    Steps of a fit pass over what happens within one: a play that closes, a mass that follows a force which jumps. What
+    finer steps change moves parameters as noise of the channels does.
+
+    Args:
+        model: fitted to all samples.
+        settings: of the search.
+    """
+    problem: DamperProblem = model.problem  # type: ignore[assignment]
+    weights = [1.0 / one for one in problem.deviations]
+    while problem.parts < _FINEST:
+        finer = replace(problem, parts=problem.parts * _FINER)
+        (there,) = finer.model(model.effects).predict(model.fit.values[np.newaxis])
+        if isinstance(there, PredictionError):
+            break
+        slopes = np.vstack([w * j for w, j in zip(weights, model.freed.slopes, strict=True)])
+        change = [w * (f - g) for w, f, g in zip(weights, there, model.fit.predicted, strict=True)]
+        step = np.linalg.lstsq(slopes, np.concatenate(change))[0]
+        if np.all(np.square(step) <= _OF_ERROR**2 * np.diag(np.linalg.pinv(slopes.T @ slopes))):
+            break
+        problem, model = finer, at_full_rate(unbounded(finer, settings), model)
+    return model
 
 
 def estimates(model: FittedModel) -> list[Estimate]:

@@ -13,7 +13,7 @@ from edesign.calibration.residual.curves import FreeCurve, free_curves
 from edesign.calibration.residual.series import FEWEST, Errors, Residual, Series, Worst
 from edesign.calibration.residual.shape import describe_residual
 from edesign.calibration.results.evidence import NEXT_TEST, OTHER_LAW, OUTLYING, Evidence
-from edesign.calibration.results.fit import at_full_rate, law_stages, unbounded
+from edesign.calibration.results.fit import at_full_rate, law_stages, resolved, unbounded
 from edesign.calibration.results.floor import Floor
 from edesign.calibration.results.kept import Kept, kept, placed, validated
 from edesign.calibration.results.law_file import law_file, why_not_carried
@@ -58,18 +58,23 @@ class DamperOutcome(Evidence[Sequence[np.ndarray]]):
         near = {one.name: float(value) for one, value in zip(problem.base, best.values, strict=False)}
         every, thin = replace(problem.full_rate, near=near), unbounded(problem, settings)
         # residuals are weighted by what a model leaves beside noise: the law alone, and the best one
-        whole = every.weighed(problem.share_of(found.best.left))
-        alone, fitter = unbounded(every, settings), unbounded(whole, settings)
+        weighed = every.weighed(problem.share_of(found.best.left))
 
         def fitted() -> tuple[FittedModel, FittedModel, Kept]:
-            declared, refit = (at_full_rate(alone, one) for one in (found.declared, found.base))
+            of, first = (weighed, found.best) if found.best.effects else (every, found.base)
+            best = resolved(at_full_rate(unbounded(of, settings), first), settings)
+            parts = best.problem.parts  # type: ignore[attr-defined]
+            whole = replace(weighed, parts=parts)
+            alone, fitter = (unbounded(replace(one, parts=parts), settings) for one in (every, whole))
+            declared = at_full_rate(alone, found.declared)
             if not found.best.effects:
-                return declared, refit, Kept(refit)
+                return declared, best, Kept(best)
+            refit = at_full_rate(alone, found.base)
 
             def error(model: FittedModel) -> float:
                 return validation_error(whole, model.effects, model.fit.values)
 
-            sure = kept(fitter, at_full_rate(fitter, found.best))
+            sure = kept(fitter, best)
             sure = replace(sure, model=placed(sure.model, error))
             plain, floor = min(error(declared), error(refit)), validation_noise(whole)
             return declared, refit, validated(fitter, sure, plain, floor, error)
@@ -85,7 +90,8 @@ class DamperOutcome(Evidence[Sequence[np.ndarray]]):
         full = steps.take("fitting all samples", at_all_samples, instead, True)
         steps.progress("predicting all tests")
         declared, refit, final = full or (found.declared, found.base, sure)
-        return DamperOutcome(found, settings, declared, refit, final, campaign, problem if full is None else whole)
+        whole = problem if full is None else replace(weighed, parts=final.model.problem.parts)  # type: ignore[attr-defined]
+        return DamperOutcome(found, settings, declared, refit, final, campaign, whole)
 
     def predict(self, effects: Sequence[Effect], values: np.ndarray) -> Sequence[np.ndarray]:
         """Return the force (n_i,) N of every test."""
