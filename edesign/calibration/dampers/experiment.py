@@ -46,6 +46,7 @@ class Experiment:
         spikes: (n,) whether the force has a spike, over which it is interpolated; None: it has none.
         motion_spikes: (n,) the same of the displacement.
         way: which mirror image of the test the specimen made before it (`Motion.after`); 0.0: it was held for long.
+        continued: whether it goes on where the test before it ends: one record that was cut.
     """
 
     name: str
@@ -69,6 +70,7 @@ class Experiment:
     spikes: np.ndarray | None = None
     motion_spikes: np.ndarray | None = None
     way: float = 0.0
+    continued: bool = False
     _finer: dict[int, Motion] = field(default_factory=dict, init=False, repr=False)
 
     @property
@@ -79,7 +81,7 @@ class Experiment:
     @property
     def from_rest(self) -> bool:
         """Whether the specimen was at rest before the record."""
-        return self.start is None
+        return self.start is None and not self.continued
 
     @property
     def prior_extremes(self) -> Extremes:

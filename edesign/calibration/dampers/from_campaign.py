@@ -204,6 +204,7 @@ def _experiments(tests: Sequence[DamperTest]) -> tuple[Experiment, ...]:
                 clipped=at_end if np.any(at_end) else None,
                 spikes=spikes if np.any(spikes) else None,
                 motion_spikes=of_motion.at if np.any(of_motion.at) else None,
+                continued=test.start == "continued",
             )
         )
         elapsed += float(motion.since[-1])
@@ -248,6 +249,8 @@ def _declared_forces(problem: DamperProblem, campaign: Campaign) -> list[np.ndar
 def _start(problem: DamperProblem, index: int, test: DamperTest) -> Start | None:
     """Return how a test starts, declared or found from its force beside the declared law; None: at rest."""
     one = problem.experiments[index]
+    if one.continued:
+        return None
     motion = one.motion
     record = Recorded(motion.time, motion.displacement, motion.velocity, one.force, one.displacement_noise, one.noise)
     gamma = GammaT(of=problem.gamma_of)

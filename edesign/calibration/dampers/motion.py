@@ -111,6 +111,18 @@ class Motion:
         whole = (np.concatenate(both) for both in zip(before, self.samples, strict=True))
         return Motion(*whole, cornered=self.cornered, degree=self.degree, preceded=t.size)
 
+    def joined(self, before: Motion) -> Motion:
+        """Return the motion after another one, which ends one step before its first sample, or when its times say.
+
+        Args:
+            before: of the same specimen.
+        """
+        earlier = before if before.with_onset is None else before.with_onset[0]
+        gap = self.time[0] - earlier.time[-1]
+        t = earlier.time + (0.0 if gap > 0.0 else gap - float(self.steps[0]))
+        both = zip((t, *earlier.samples[1:]), self.samples, strict=True)
+        return Motion(*(np.concatenate(pair) for pair in both), cornered=self.cornered, preceded=t.size)
+
     @cached_property
     def steps(self) -> np.ndarray:
         """Durations (n - 1,) between samples, s."""

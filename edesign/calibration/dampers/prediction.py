@@ -195,15 +195,16 @@ class Prediction:
         at_temperature: dict[float, tuple[float, ...]] = {}
         prior, found = NONE, []
         before: tuple[Hashable, ...] = ()
+        first = prior, before  # extremes and tests before the record of which a test is a part
         for i in range(wanted[-1] + 1) if carries or lasting else wanted:
             test = self._experiments[i]
             parts = test.parts(refined) * (self._parts if finer >= 1.0 else 1)
             with np.errstate(all="ignore"):
                 actuator, motion, key = self._moved(i, parts, effects)
-                moved = motion
-                if test.way:
-                    key = (key, test.way)
-                    moved = self._motions.of(key, partial(motion.after, test.way))
+                moved, key = self._with_way(i, motion, key, refined, effects)
+            if not test.continued:
+                first = prior, before
+            prior, before = first
             if thermometers:
                 wrong = sum(p[mechanism.error] for mechanism, p in _mechanisms(effects, Thermometer, test))
                 test = replace(test, temperature=test.temperature - wrong) if wrong else test
@@ -224,7 +225,7 @@ class Prediction:
             own = (i, parts, key, law_test)
             before = (*before, own) if carries else (own,)
             if lasting:
-                prior = widest(own_extremes, motion.extremes)
+                prior = widest(own_extremes, moved.extremes if test.continued else motion.extremes)
             if carries or i in wanted:
                 found.append(_Asked(i, before, law_test, moved, actuator, parts))
         return found
@@ -242,6 +243,22 @@ class Prediction:
                     motion = self._motions.of(key, partial(mechanism.change, p, test, motion))
             actuator = motion if of == "actuator" else actuator
         return actuator, motion, key
+
+    def _with_way(
+        self, i: int, motion: Motion, key: Hashable, refined: float, effects: Effects
+    ) -> tuple[Motion, Hashable]:
+        """Return the motion of the specimen in a test after what it did before, as far as that is known or tried."""
+        test = self._experiments[i]
+        if test.continued:
+            earlier = self._experiments[i - 1]
+            _, before, own = self._moved(i - 1, earlier.parts(refined), effects)
+            before, own = self._with_way(i - 1, before, own, refined, effects)
+            key = (own, key)
+            return self._motions.of(key, partial(motion.joined, before)), key
+        if not test.way:
+            return motion, key
+        key = (key, test.way)
+        return self._motions.of(key, partial(motion.after, test.way)), key
 
     def _law_values(
         self, values: Mapping[str, float], test: Experiment, changes: Sequence[tuple[LawParameters, Values]]
@@ -284,9 +301,9 @@ class Prediction:
 
 def _runs(asked: Sequence[_Asked]) -> list[list[_Asked]]:
     """Return tests that go on from each other together, and all others alone."""
-    if asked and len(asked[-1].key) > 1:
-        return [list(asked)]
-    return [[one] for one in asked]
+    by_key = {one.key: one for one in asked}
+    gone_on = {key[:-1] for key in by_key}
+    return [[by_key[key[: k + 1]] for k in range(len(key))] for key in by_key if key not in gone_on]
 
 
 def _mechanisms(effects: Effects, kind: type[Any], test: Experiment | None = None) -> list[tuple[Any, Values]]:

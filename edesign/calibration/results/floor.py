@@ -244,7 +244,7 @@ def _together(one: Experiment, other: Experiment) -> int:
 
     0: not for as long, or not in motions so large, as to stand for the test.
     """
-    if abs(one.temperature - other.temperature) > APART:
+    if abs(one.temperature - other.temperature) > APART or one.continued or other.continued:
         return 0
     since, own = one.motion.since, one.motion.displacement
     longest = int(np.searchsorted(since, other.motion.since[-1], side="right"))

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
+import numpy as np
 import yaml
 from pydantic import Field
 
@@ -47,6 +49,10 @@ Owner = Literal["damper", "rig"]
 ConditionName = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]*$")]
 CAMPAIGN_FILE = "campaign.yaml"
 _WHAT, _BEGINS = "campaign file", "specimen:"
+_NEAR, _AWAY = (
+    1.5,
+    0.1,
+)  # largest steps between samples; of the largest displacement: tests from zero to zero say nothing
 
 
 class CampaignError(FileProblems):
@@ -208,7 +214,26 @@ class Campaign:
 
 def notes_of(tests: Sequence[DamperTest]) -> tuple[str, ...]:
     """Return notes on what the reader of tests leaves out, and how it reads those that are not plain."""
-    return _left_out(tests) + _readings(tests)
+    return _left_out(tests) + _readings(tests) + _cut(tests)
+
+
+def _cut(tests: Sequence[DamperTest]) -> tuple[str, ...]:
+    """Say of which tests the record seems to be that of the test before, cut in the middle of a motion."""
+    return tuple(
+        f"{test.name}: it begins where {before.name} ends; if one record was cut there, say `start: continued`"
+        for before, test in itertools.pairwise(tests)
+        if test.start in ("in_motion", "unknown") and _goes_on(before, test)
+    )
+
+
+def _goes_on(before: DamperTest, test: DamperTest) -> bool:
+    """Whether a test begins away from zero, and no farther from the end of another than samples are from each other."""
+    if test.force is None or before.force is None:
+        return False
+    both = (before.displacement, test.displacement), (before.force, test.force)
+    steps = [max(float(np.max(np.abs(np.diff(one)))) for one in pair) for pair in both]
+    near = all(abs(there[0] - here[-1]) <= _NEAR * step for (here, there), step in zip(both, steps, strict=True))
+    return near and abs(float(test.displacement[0])) > _AWAY * float(np.max(np.abs(test.displacement)))
 
 
 def _left_out(tests: Sequence[DamperTest]) -> tuple[str, ...]:
@@ -418,13 +443,20 @@ def _ramp(entry: TestEntry, file: CampaignFile) -> float | None:
 
 
 def _check_starts(file: CampaignFile, problems: Problems) -> None:
-    """Refuse a ramp where no test starts at rest, which alone has one."""
+    """Refuse a ramp where no test starts at rest, which alone has one, and a test that goes on after none."""
     needs = "it belongs to `start: at_rest`: the way from rest to the first sample [E-KEY-03]"
     if file.start_ramp is not None and all((entry.start or file.start) != "at_rest" for entry in file.tests):
         problems.at_key(("start_ramp",), needs)
     for i, entry in enumerate(file.tests):
         if entry.start_ramp is not None and (entry.start or file.start) != "at_rest":
             problems.at_key(("tests", i, "start_ramp"), needs)
+        if entry.start == "continued" and (i == 0 or file.order == "unknown"):
+            what = "before the first one there is none" if i == 0 else "`order: unknown` says that none does"
+            problems.at_value(
+                ("tests", i, "start"), f"a test that is `continued` goes on from the one before it; {what} [E-TEST-02]"
+            )
+    if file.start == "continued":
+        problems.at_value(("start",), "the first test goes on from none: say it of each other one [E-TEST-02]")
 
 
 def _check_conditions(file: CampaignFile, problems: Problems) -> None:

@@ -19,9 +19,9 @@ import scipy
 from edesign.damper.history import NONE, Extremes
 from edesign.damper.testing.independence import independent_errors
 
-StartKind = Literal["at_rest", "in_motion", "unknown"]
-"""What is said of a test: the specimen was undeformed and at rest before the first sample; it was moving; it is to be
-found out.
+StartKind = Literal["at_rest", "in_motion", "continued", "unknown"]
+"""What is said of a test: the specimen was undeformed and at rest before the first sample; it was moving; it was moving
+as the test before shows; it is to be found out.
 """
 
 SOFTENED = ("mgmm",)
@@ -158,6 +158,7 @@ def find_start(
     """
     if test.time.size < _FEWEST:
         return None
+    kind = "in_motion" if kind == "continued" else kind  # nothing is asked here but the test itself
     u, v = float(test.displacement[0]), float(test.velocity[0])
     far, jerked = abs(u) > max(_SURE * test.displacement_noise, 1e-8 * test.largest[0]), _jerked(test)
     stepped = _difference(test, force_of, _from_rest(test, ramp)) if far else np.zeros(test.time.size)

@@ -15,6 +15,7 @@ from edesign.report.calibration.error_tables import LAW_FILES, MODELS
 from edesign.report.calibration.units import percent
 from edesign.report.calibration.words import effect_text, name_of, outlying_text, probability_text, searched
 
+_AT = "at its"  # bound: as an estimate says why it is not determined
 _NAMED = 2  # effects confounded with one, in a sentence
 _CHANGED = 1.05  # ratio of errors that is worth a word
 _ANOTHER = 2.5  # times: three standard deviations, 0.3 of the logarithm, of a declared parameter
@@ -174,10 +175,17 @@ def _worst(calibration: Calibration) -> list[str]:
 
 
 def _warnings(calibration: Calibration) -> list[str]:
-    """Warnings about effects that predict well: numbers at their bounds, a law that is another one beside them."""
+    """Warnings about numbers at their bounds, and about a law that is another one beside effects that predict well."""
     texts = []
+    law = calibration.parameters.get(calibration.law_file.stage, {}) if calibration.subject == "damper" else {}
+    limits = [f"{name} {one.not_determined}" for name, one in law.items() if one.not_determined.startswith(_AT)]
+    if limits and calibration.verdict not in ("none", "explained"):
+        texts.append(
+            f"The law {calibration.law} is at the end of what it can do: {', '.join(limits)}. A simpler law would do, "
+            "or what the tests ask for is of another kind."
+        )
     for effect in calibration.effects:
-        at = [name for name, one in effect.parameters.items() if one.not_determined.startswith("at its")]
+        at = [name for name, one in effect.parameters.items() if one.not_determined.startswith(_AT)]
         if at:
             texts.append(
                 f"{', '.join(at)} of {effect.label} {'is' if len(at) == 1 else 'are'} at the end of what is likely: a "
