@@ -20,7 +20,14 @@ _ONE_SIDE, _BOTH = 2, 3
 it is as long: such a curve lies between both.
 """
 _CHANCE = 0.01  # that a record without spikes has one
+_MOVES = 4.0  # steps of the resolution, between which a motion that is read as none would have stopped
 _TOLD = 6  # spikes whose times are said
+_SPIKES = "is a spike", "are spikes", "was it a connector, or the telemetry?"
+_FRAMES = (
+    "has the readings of the one before",
+    "have the readings of those before",
+    "had the controller no new ones?",
+)
 
 
 class Spikes(NamedTuple):
@@ -202,13 +209,42 @@ def _gathered(places: np.ndarray, drivers: int) -> np.ndarray:
     return found
 
 
+def repeated_frames(test: DamperTest) -> np.ndarray:
+    """Return which samples (n,) repeat the frame before, of both channels, while the specimen moves on.
+
+    A motion does not stop for one to three samples between steps of four times its resolution to the same side.
+    """
+    u, found = test.displacement, np.zeros(test.time.size, dtype=bool)
+    steps = np.diff(u)
+    same = found[1:] if test.force is None else (steps == 0.0) & (np.diff(test.force) == 0.0)
+    least = _MOVES * float(np.min(np.abs(steps[steps != 0.0])))
+    for first, last in _rows(np.concatenate(([False], same))):
+        if last - first < _LONGEST and min(first, u.size - 1 - last) > _BESIDE:
+            before, after = steps[first - 2], steps[last]
+            found[first : last + 1] = before * after > 0.0 and min(abs(before), abs(after)) > least
+    return found
+
+
+def _without(test: DamperTest, values: np.ndarray, frames: np.ndarray, drivers: Sequence[np.ndarray] = ()) -> Spikes:
+    """Return the spikes of a channel (n,) of a test, and the frames that are none of its own as such."""
+    mended = values.copy()
+    for first, last in _rows(frames):
+        mended[first : last + 1] = _Curve(test.time, values).through_both(first, last, frames).value
+    found = spikes(test.time, mended, drivers)
+    return Spikes(found.at | frames, found.mended)
+
+
 def spikes_of(test: DamperTest) -> tuple[Spikes, Spikes | None]:
-    """Return the spikes of the displacement of a test, and those of its force; None: it was not measured."""
-    of_motion = spikes(test.time, test.displacement)
+    """Return the spikes of the displacement of a test, and those of its force; None: it was not measured.
+
+    Frames that repeat the one before are spikes of both.
+    """
+    frames = repeated_frames(test)
+    of_motion = _without(test, test.displacement, frames)
     if test.force is None:
         return of_motion, None
     drivers = of_motion.mended, np.gradient(of_motion.mended, test.time)
-    return of_motion, spikes(test.time, test.force, drivers)
+    return of_motion, _without(test, test.force, frames, drivers)
 
 
 def without_spikes(test: DamperTest) -> DamperTest:
@@ -226,13 +262,17 @@ def spike_warnings(test: DamperTest) -> list[str]:
         test: with or without a force.
     """
     of_motion, of_force = spikes_of(test)
-    found = []
-    if of_force is not None and np.any(of_force.at):
+    found, frames = [], repeated_frames(test)
+    if of_force is not None and np.any(at := of_force.at & ~frames):
         off = 1e-3 * (test.measured_force() - of_force.mended)
-        found.append(f"force: {_said(test.time, of_force.at, off, 'kN')} A calibration does not judge them")
-    if np.any(of_motion.at):
-        said = _said(test.time, of_motion.at, 1e3 * (test.displacement - of_motion.mended), "mm")
-        found.append(f"displacement: {said} A calibration interpolates over them, and does not judge the force there")
+        said = _said(test.time, at, off, "kN", *_SPIKES)
+        found.append(f"force: {said} A calibration does not judge them")
+    for at, words in ((of_motion.at & ~frames, _SPIKES), (frames, _FRAMES)):
+        if np.any(at):
+            said = _said(test.time, at, 1e3 * (test.displacement - of_motion.mended), "mm", *words)
+            found.append(
+                f"displacement: {said} A calibration interpolates over them, and does not judge the force there"
+            )
     return found
 
 
@@ -245,11 +285,9 @@ def spike_notes(tests: Iterable[DamperTest]) -> tuple[str, ...]:
     return tuple(f"{test.name}: {text}" for test in tests for text in spike_warnings(test))
 
 
-def _said(time: np.ndarray, at: np.ndarray, off: np.ndarray, unit: str) -> str:
+def _said(time: np.ndarray, at: np.ndarray, off: np.ndarray, unit: str, one: str, several: str, cause: str) -> str:
     times = time[at]
-    when = ", ".join(f"{one:.6g}" for one in times[:_TOLD]) + (" ..." if times.size > _TOLD else "")
-    number = "1 sample is a spike" if times.size == 1 else f"{times.size} samples are spikes"
-    return (
-        f"{number}, at {when} s, up to {np.max(np.abs(off)):.3g} {unit} from what the samples before and after say: "
-        "was it a connector, or the telemetry?"
-    )
+    when = ", ".join(f"{each:.6g}" for each in times[:_TOLD]) + (" ..." if times.size > _TOLD else "")
+    number = f"1 sample {one}" if times.size == 1 else f"{times.size} samples {several}"
+    far = np.max(np.abs(off[at]))
+    return f"{number}, at {when} s, up to {far:.3g} {unit} from what the samples before and after say: {cause}"

@@ -6,7 +6,15 @@ import numpy as np
 import pytest
 
 from edesign.damper.testing.measured_histories import DamperTest
-from edesign.damper.testing.spikes import spike_notes, spikes, spikes_beside, without_spikes
+from edesign.damper.testing.spikes import (
+    repeated_frames,
+    spike_notes,
+    spike_warnings,
+    spikes,
+    spikes_beside,
+    spikes_of,
+    without_spikes,
+)
 from edesign.report.check.damper_files import force_warnings
 
 RNG = np.random.default_rng(62)
@@ -131,3 +139,36 @@ def test_they_are_said_by_test_channel_and_time() -> None:
     assert of_motion.startswith("a: displacement: 2 samples are spikes, at 1.5, 1.505 s, up to 4 mm ")
     assert [of_force[3:], of_motion[3:]] == force_warnings(test)[:2]
     assert np.max(np.abs(without_spikes(test).displacement - 0.01 * U)) < 1e-6
+
+
+RESOLUTION = 5e-6  # m
+LATE = (37, 60, 61, 150, 203)
+
+
+def repeating(step: float, late: tuple[int, ...] = LATE, rounded: bool = True) -> DamperTest:
+    """A sine of 30 mm that a logger has read at 100 Hz, some frames twice; steps of the motion are as large as that."""
+    t = 0.01 * np.arange(300)
+    u = 30e-3 * np.sin(step / 30e-3 * np.arange(300))
+    force = 900.0 * np.sign(np.gradient(u)) + 4e4 * u
+    if rounded:
+        u, force = RESOLUTION * np.round(u / RESOLUTION), np.round(force)
+    for i in late:
+        u[i], force[i] = u[i - 1], force[i - 1]
+    return DamperTest("test_1", t, u, force)
+
+
+def test_frames_that_a_logger_repeats_are_none() -> None:
+    test = repeating(1e-3)
+    assert np.flatnonzero(repeated_frames(test)).tolist() == list(LATE)
+    of_motion, of_force = spikes_of(test)
+    assert of_force is not None
+    assert np.all(of_motion.at[list(LATE)] & of_force.at[list(LATE)])
+    assert np.max(np.abs(of_motion.mended - repeating(1e-3, ()).displacement)) < 2.0 * RESOLUTION
+    (said,) = spike_warnings(test)
+    assert said.startswith("displacement: 5 samples have the readings of those before, at 0.37, 0.6, 0.61, 1.5, 2.03 s")
+
+
+def test_a_motion_that_is_slow_for_its_resolution_repeats_none() -> None:
+    for step in (0.3 * RESOLUTION, RESOLUTION, 3.0 * RESOLUTION):
+        assert not np.any(repeated_frames(repeating(step, ())))
+    assert not np.any(repeated_frames(repeating(1e-3, (), rounded=False)))
