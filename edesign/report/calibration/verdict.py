@@ -140,7 +140,8 @@ def _errors(calibration: Calibration) -> str:
         )
     texts.append(".")
     if calibration.as_declared:
-        texts.append(f" Its parameters are kept as declared: fitted ones leave {percent(refit)} %.")
+        fitted = "" if calibration.effects else f": fitted ones leave {percent(refit)} %"
+        texts.append(f" Its parameters are kept as declared{fitted}.")
     texts.append(_weights(calibration))
     if calibration.more_is_left:
         share = percent(calibration.unexplained_share, 2)
@@ -151,10 +152,10 @@ def _errors(calibration: Calibration) -> str:
 
 
 def _weights(calibration: Calibration) -> str:
-    """Return why a fit may make the error of the tests fitted to larger; "" if it does not."""
+    """Return why a fit may make the error of the tests fitted to larger; "" if it does not in the digits shown."""
     declared, refit = calibration.errors["declared"], calibration.errors["refit"]
     names = [one.name for one in calibration.tests if one.use == "fit" and one.name in declared.tests]
-    if refit.fit <= declared.fit or not names:
+    if refit.fit <= declared.fit or percent(refit.fit) == percent(declared.fit) or not names:
         return ""
     means = [sum(one.tests[name] for name in names) / len(names) for one in (declared, refit)]
     return (

@@ -317,6 +317,22 @@ def test_the_verdict_says_effect_errors_and_confounded_effects() -> None:
     assert "The next test, to separate payne from self heating: 12 cycles of 2 mm at 5 Hz, 35 degC." in verdict
 
 
+def test_a_law_kept_as_declared_is_compared_with_the_fitted_one_alike() -> None:
+    """The error of the law fitted without effects says nothing of a law with effects."""
+    found = replace(example.calibration(), as_declared=True)
+    assert "Its parameters are kept as declared." in verdict_text(found)
+    assert "kept as declared: fitted ones leave" in verdict_text(replace(found, effects=()))
+
+
+def test_weights_are_explained_where_a_fit_is_worse_in_the_digits_shown() -> None:
+    found = example.calibration()
+    declared = found.errors["declared"]
+    for factor, said in ((1.5, True), (1.0 + 1e-6, False)):
+        refit = replace(declared, fit=declared.fit * factor)
+        text = verdict_text(replace(found, errors={**found.errors, "refit": refit}))
+        assert ("weighs each test by its own size" in text) == said
+
+
 def test_an_effect_as_probable_is_named_in_one_sentence_with_the_one_found() -> None:
     titles = {"offset": "zero of the force channel, the same in all tests (instrument)"}
     confounded = replace(example.gain(), indistinguishable_from={"offset": 0.497, "lag": 0.02}, titles=titles)
