@@ -115,14 +115,15 @@ def with_channel_noise(tests: Sequence[Experiment], predicted: Sequence[np.ndarr
     found = [one for one in measured if not math.isnan(one)]
     known = [(one, one / own) for one, own in zip(measured, least, strict=True) if one > own]
     stand_in = _of_others(known)
-    return [
-        replace(
-            test,
-            channel_noise=one if one > own else max(stand_in(own), own),
-            noise_measured=bool(found),
-        )
-        for test, one, own in zip(tests, measured, least, strict=True)
-    ]
+    noise = [one if one > own else max(stand_in(own), own) for one, own in zip(measured, least, strict=True)]
+    return [_with_channel(*each, bool(found)) for each in zip(tests, noise, strict=True)]
+
+
+def _with_channel(test: Experiment, noise: float, measured: bool) -> Experiment:
+    """Return a test with another noise of the force channel, N, beside what its motion makes of the force."""
+    local = test.local_noise
+    local = None if local is None else np.sqrt(local**2 - test.channel_noise**2 + noise**2)
+    return replace(test, channel_noise=noise, noise_measured=measured, local_noise=local)
 
 
 def _of_others(known: Sequence[tuple[float, float]]) -> Callable[[float], float]:

@@ -161,11 +161,11 @@ def _over_own(one: Experiment, left: np.ndarray, noise: float, thermal: float) -
 def _through(problem: DamperProblem, model: FittedModel, predicted: Sequence[np.ndarray]) -> Sequence[Experiment]:
     """Return the tests with noise of the displacement through the effects of a model, if it has any.
 
-    Beside this model the noise of the force is measured again where it could not be beside the declared law.
+    Beside this model the noise of the force is measured again, and the smaller one counts.
     """
     if not model.effects:
-        measured = all(one.noise_measured for one in problem.experiments)
-        return problem.experiments if measured else with_channel_noise(problem.experiments, predicted)
+        pairs = zip(problem.experiments, with_channel_noise(problem.experiments, predicted), strict=True)
+        return [one if one.noise_measured and one.noise <= other.noise else other for one, other in pairs]
 
     def forces_of(other: DamperProblem) -> list[np.ndarray]:
         (found,) = other.model(model.effects, USES).forces(model.fit.values)

@@ -212,7 +212,9 @@ def law_table(calibration: Calibration) -> Table:
         notes += _undetermined(stages[stage], f"{label}: ")  # type: ignore[index]
     if calibration.law_fixed:
         notes.append("the campaign keeps the declared parameters fixed (`refit: false`)")
-    notes += [f"{name} is fixed as declared: {why}" for name, why in calibration.fixed.items()]
+    for name, why in calibration.fixed.items():
+        moved = stages["corrected"][name].value != stages["declared"][name].value
+        notes.append(f"{name} is {'not fitted' if moved else 'fixed as declared'}: {why}")
     return LAW.of(rows, notes=notes, title=", and ".join(titles))
 
 

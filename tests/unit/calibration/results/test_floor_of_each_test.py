@@ -104,3 +104,16 @@ def test_tests_that_begin_alike_show_what_does_not_repeat():
     assert found[0] == pytest.approx(0.02 * 1e6 * 4e-3 / np.sqrt(3.0) / np.sqrt(2.0), rel=0.1)
     slower = replace(experiments[0], motion=ramps[0].scaled(0.5))
     assert np.isnan(_from_test_to_test([slower, *experiments[1:]], left)[0])
+
+
+def test_harmonics_that_the_declared_law_lacks_are_no_noise_beside_the_one_that_has_them():
+    """Noise of 300 N by a law that is far off is that of the channel, 100 N, beside the law fitted again."""
+    random = np.random.default_rng(2)
+    tests = problem(tests=4)
+    forces = [one.force for one in tests.experiments]
+    noisy = [
+        replace(one, force=one.force + NOISE * random.standard_normal(one.force.size)) for one in tests.experiments
+    ]
+    made = tests.with_experiments([replace(one, channel_noise=3.0 * NOISE) for one in noisy])
+    law = SimpleNamespace(effects=(), fit=SimpleNamespace(values=np.array([one.centre for one in made.base])))
+    assert Floor.under(made, law, forces).noise == pytest.approx([NOISE] * 4, rel=0.25)
