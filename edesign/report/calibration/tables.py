@@ -213,7 +213,7 @@ def law_table(calibration: Calibration) -> Table:
     if calibration.law_fixed:
         notes.append("the campaign keeps the declared parameters fixed (`refit: false`)")
     for name, why in calibration.fixed.items():
-        moved = stages["corrected"][name].value != stages["declared"][name].value
+        moved = len({stage[name].value for stage in stages.values() if name in stage}) > 1
         notes.append(f"{name} is {'not fitted' if moved else 'fixed as declared'}: {why}")
     return LAW.of(rows, notes=notes, title=", and ".join(titles))
 

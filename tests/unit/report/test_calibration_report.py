@@ -255,6 +255,8 @@ def test_parameters_that_others_make_needless_are_reported() -> None:
     found = replace(example.calibration(), fixed={"N": "only the slip force mu N acts on the damper"})
     notes = law_table(found).notes
     assert "N is fixed as declared: only the slip force mu N acts on the damper" in notes
+    moved = replace(found, fixed={"c": "it is held at A - beta"})
+    assert "c is not fitted: it is held at A - beta" in law_table(moved).notes
 
 
 def test_what_belongs_to_single_tests_stands_by_their_names_with_errors() -> None:
