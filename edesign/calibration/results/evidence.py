@@ -339,11 +339,13 @@ class Evidence(ABC, Generic[T]):
         own = model.fit.values[model.places(index)]
         words, twin = effect.data.words(own), effect.data.twin
         rise, gain, error, confounded, probability = math.nan, math.nan, math.nan, dict[str, float](), math.nan
-        titles: Mapping[str, str] = {}
+        titles: dict[str, str] = {}
         if posterior is not None:
             probability = posterior.probability(effect.name)
         if posterior is not None and stands is not None:
             confounded, titles = posterior.indistinguishable_from(effect.name), posterior.titles(effect.name)
+            for label, (likely, title) in posterior.other_equations(stands).items():
+                confounded[label], titles[label] = likely, title
             fewer, ahead = without(posterior, stands)
             if fewer is not None and ahead is not None:
                 gain, error = ahead.total, ahead.error

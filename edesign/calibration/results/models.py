@@ -14,6 +14,7 @@ from edesign.calibration.results.result import ComparedModel
 from edesign.calibration.search.models import FittedModel, Fitter, Key
 from edesign.calibration.search.problem import Effect
 from edesign.calibration.search.search import Found
+from edesign.calibration.search.variants import scaled
 from edesign.estimation.left_out import LEAST as LEAST_GAIN
 from edesign.estimation.left_out import Difference
 
@@ -88,9 +89,7 @@ class Posterior:
         model, behind = self.models[i], self.behind(i)
         if model.key in self.refused or math.isnan(behind.total):
             return 0.0
-        more = len(model.effects) - len(self.best.effects)
-        moderated = (behind.total + LEAST_GAIN * more) / math.sqrt(1.0 + math.pi / 8.0 * behind.error**2)
-        return math.exp(min(-moderated, _FAR))
+        return _odds(behind, len(model.effects) - len(self.best.effects))
 
     def why_not(self, i: int) -> str:
         """Return why a model that is ahead, or refused, is not the one that stands; "" if it is behind."""
@@ -134,6 +133,40 @@ class Posterior:
             found[other] = max(found.get(other, (-1.0, "")), (self.odds(i), title))
         return {other: title for other, (_, title) in found.items()}
 
+    def other_equations(self, index: int) -> dict[str, tuple[float, str]]:
+        """Return what the tests cannot separate from an instrument's effect of the best model, of the same name.
+
+        Which channel is wrong is no detail: beside a linear law a gain of the force and one of the displacement are one
+        equation. The nearest equations are fitted in the place of the effect, and compared by the rule of adoption.
+
+        Returns:
+            Probability beside the best model, at most one half, and what it is, for people, by label.
+        """
+        best, fitter, effect = self.best, self.fitter, self.best.effects[index]
+        if effect.kind != "instrument" or not effect.parameters:
+            return {}
+        target = np.concatenate(best.contribution(index))
+        near: dict[str, tuple[float, Effect, np.ndarray]] = {}
+        for form, values, change in fitter.alternatives(best, index, np.ones(len(best.left)), here=True):
+            share = float(change @ target) / float(change @ change)
+            if share * float(change @ target) > near.get(form.label, (0.0,))[0]:
+                near[form.label] = share * float(change @ target), form, scaled(values, form.linear, share)
+        others, kept = best.without(index)
+        slopes = [np.delete(j, best.places(index), axis=1) for j in best.fit.slopes]
+        found: dict[str, tuple[float, str]] = {}
+        for _, form, values in sorted(near.values(), key=lambda one: -one[0])[: fitter.settings.forms]:
+            placed = fitter.linearised((*others, form), [kept, values], slopes, best.noise, best.fit.held)
+            if placed is None:
+                continue
+            other = fitter.reweighted(placed)
+            behind, odds = fitter.compare(best, other), 0.0
+            if not behind.sure and not math.isnan(behind.total):
+                odds = min(_odds(behind, 0), 1.0)
+            if odds >= LEAST:
+                words = form.data.words(other.fit.values[other.places(len(others))])
+                found[form.label] = odds / (1.0 + odds), f"{words.title} ({form.kind})"
+        return found
+
     def _in_place_of(self, name: str) -> Iterator[tuple[int, list[Effect]]]:
         """Models of no more effects that are not surely behind, with those that stand in the place of one."""
         for i, model in enumerate(self.models):
@@ -161,6 +194,12 @@ class Posterior:
         labels = tuple(effect.label for effect in model.effects)
         both = behind.total, behind.error
         return ComparedModel(labels, model.refits, error, *both, float(self.probabilities[i]), self.why_not(i))
+
+
+def _odds(behind: Difference, more: int) -> float:
+    """Return the odds of a model that is so far behind, with so many effects more."""
+    moderated = (behind.total + LEAST_GAIN * more) / math.sqrt(1.0 + math.pi / 8.0 * behind.error**2)
+    return math.exp(min(-moderated, _FAR))
 
 
 def without(posterior: Posterior, index: int) -> tuple[FittedModel | None, Difference | None]:

@@ -124,7 +124,7 @@ class Variants:
                 share = float(change @ target) / float(change @ change)
                 near = share * float(change @ target)
                 if near > like.get(form.label, (-1.0,))[0]:
-                    like[form.label] = near, Start(form, _scaled(values, form.linear, share))
+                    like[form.label] = near, Start(form, scaled(values, form.linear, share))
             others, kept = model.without(index)
             slopes = [np.delete(j, model.places(index), axis=1) for j in model.fit.slopes]
             order = [*range(index), len(others), *range(index, len(others))]
@@ -140,5 +140,6 @@ class Variants:
         return model
 
 
-def _scaled(start: np.ndarray, linear: bool, share: float) -> np.ndarray:
+def scaled(start: np.ndarray, linear: bool, share: float) -> np.ndarray:
+    """Return a start (p,) of an effect, its size multiplied by a share if what it does is linear in that."""
     return np.array([start[0] * share, *start[1:]]) if linear else start

@@ -28,11 +28,10 @@ _NOTHING = "nothing known"
 
 
 class _Found(NamedTuple):
-    """An effect, the NRMS of the validation tests without it, and other faults that explain its test as well."""
+    """An effect, and the NRMS of the validation tests without it."""
 
     effect: Effect
     without: float
-    faults: tuple[str, ...]
 
 
 def _gain(one: _Found) -> str | None:
@@ -44,7 +43,7 @@ def _confounded(one: _Found) -> str:
     effect = one.effect
     others = [f"{name_of(name)} ({probability_text(p)})" for name, p in effect.indistinguishable_from.items()]
     own = [] if effect.other_kind is None else [f"{name_of(effect.name)} of the {effect.other_kind}"]
-    return ", ".join([*own, *others, *one.faults]) or _NOTHING
+    return ", ".join(own + others) or _NOTHING
 
 
 EFFECTS = TableSpec[_Found](
@@ -130,7 +129,7 @@ def effect_tables(calibration: Calibration) -> list[Table]:
 def effects_table(calibration: Calibration) -> Table:
     """Return each effect with its kind, what it does for the prediction, and what the tests cannot separate from it."""
     with_it = calibration.errors["corrected"].validate
-    found = [_Found(one, with_it + one.delta_validate, _faults(calibration, one)) for one in calibration.effects]
+    found = [_Found(one, with_it + one.delta_validate) for one in calibration.effects]
     notes = [f"{name_of(one.name)} shows as: {one.signature}" for one in calibration.effects]
     if found:
         notes += [
@@ -143,12 +142,6 @@ def effects_table(calibration: Calibration) -> Table:
         notes.append("cannot be separated from: with the probability of the other one, if it is one of the two")
     notes += [one.question for one in calibration.effects if one.question]
     return EFFECTS.of(found, notes=notes)
-
-
-def _faults(calibration: Calibration, effect: Effect) -> tuple[str, ...]:
-    """Return the labels of other faults that explain the test of an effect as well."""
-    every = (tuple(fault.label for fault in test.faults) for test in calibration.outlying)
-    return tuple(label for labels in every if effect.label in labels for label in labels if label != effect.label)
 
 
 def effect_parameters_table(calibration: Calibration) -> Table:

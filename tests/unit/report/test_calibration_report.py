@@ -21,12 +21,10 @@ from edesign.calibration.results.practical_units import practical
 from edesign.calibration.results.result import (
     Calibration,
     Estimate,
-    Fault,
     Hypothesis,
     OfTest,
     OfTests,
     OtherLaw,
-    OutlyingTest,
 )
 from edesign.calibration.write import calibration_json
 from edesign.report.calibration.effect_figures import effect_figures
@@ -161,19 +159,6 @@ def test_an_effect_is_reported_with_its_evidence_and_confounded_effects() -> Non
         ["tau_a", "5.00", "4.00 to 6.00", "s"],
     ]
     assert effect_parameters_table(found).texts[0][5] == "share of the force that goes; negative: that comes"
-
-
-def test_other_faults_that_explain_the_test_of_an_effect_stand_beside_it() -> None:
-    """Of a linear law a gain of the force and one of the displacement in one test are one equation."""
-    faults = [
-        Fault("gain", form, f"gain of {form}", {"g": estimate(0.12, 1e-3, "")})
-        for form in ("force_of_test_4", "displacement_of_test_4")
-    ]
-    effect = replace(example.gain(), form="force_of_test_4")
-    test = OutlyingTest("test_4", "fit", 50.0, 1e-6, 2e-3, 1e-4, True, tuple(faults), ())
-    found = replace(example.calibration((effect,)), outlying=(test,))
-    assert effects_table(found).texts[0][-1] == "gain.displacement_of_test_4"
-    assert effects_table(example.calibration((effect,))).texts[0][-1] == "nothing known"
 
 
 def test_models_are_reported_with_how_far_the_search_looked() -> None:
