@@ -81,7 +81,6 @@ def columns_near(model: Model, values: np.ndarray, around: np.ndarray) -> Sequen
     """Return nuisance columns (n_i, k) of each test for differences: at less cost, where a model has such ones.
 
     Args:
-        model: of the tests.
         values: (p,) SI.
         around: (p,) SI, near them.
     """

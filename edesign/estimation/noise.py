@@ -91,7 +91,6 @@ def most_noise(samples: int, tests: int) -> float:
     """Return the mean square that noise may leave of a test, over its variance: more has another cause.
 
     Args:
-        samples: of the test.
         tests: how many are asked, of which chance makes one seem to be above.
     """
     from scipy.special import chdtri  # scipy takes time at the start of every command

@@ -59,7 +59,6 @@ def resolved(model: FittedModel, settings: SearchSettings) -> FittedModel:
 
     Args:
         model: fitted to all samples.
-        settings: of the search.
     """
     problem: DamperProblem = model.problem  # type: ignore[assignment]
     weights = [1.0 / one for one in problem.deviations]

@@ -14,7 +14,6 @@ from edesign.calibration.results.result import ComparedModel
 from edesign.calibration.search.models import FittedModel, Fitter, Key
 from edesign.calibration.search.problem import Effect
 from edesign.calibration.search.search import Found
-from edesign.calibration.search.variants import scaled
 from edesign.estimation.left_out import LEAST as LEAST_GAIN
 from edesign.estimation.left_out import Difference
 
@@ -145,25 +144,15 @@ class Posterior:
         best, fitter, effect = self.best, self.fitter, self.best.effects[index]
         if effect.kind != "instrument" or not effect.parameters:
             return {}
-        target = np.concatenate(best.contribution(index))
-        near: dict[str, tuple[float, Effect, np.ndarray]] = {}
-        for form, values, change in fitter.alternatives(best, index, np.ones(len(best.left)), here=True):
-            share = float(change @ target) / float(change @ change)
-            if share * float(change @ target) > near.get(form.label, (0.0,))[0]:
-                near[form.label] = share * float(change @ target), form, scaled(values, form.linear, share)
-        others, kept = best.without(index)
-        slopes = [np.delete(j, best.places(index), axis=1) for j in best.fit.slopes]
         found: dict[str, tuple[float, str]] = {}
-        for _, form, values in sorted(near.values(), key=lambda one: -one[0])[: fitter.settings.forms]:
-            placed = fitter.linearised((*others, form), [kept, values], slopes, best.noise, best.fit.held)
-            if placed is None:
-                continue
+        for placed in fitter.nearest_equations(best, index, best.noise, fitter.settings.forms, here=True):
             other = fitter.reweighted(placed)
             behind, odds = fitter.compare(best, other), 0.0
             if not behind.sure and not math.isnan(behind.total):
                 odds = min(_odds(behind, 0), 1.0)
             if odds >= LEAST:
-                words = form.data.words(other.fit.values[other.places(len(others))])
+                form = other.effects[index]
+                words = form.data.words(other.fit.values[other.places(index)])
                 found[form.label] = odds / (1.0 + odds), f"{words.title} ({form.kind})"
         return found
 

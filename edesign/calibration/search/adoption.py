@@ -216,7 +216,6 @@ class Adoption:
         is no error of them is explained better than that by its own equation alone.
 
         Args:
-            model: with the effect.
             explained: share of the power of what was measured that the effect explains beside the others.
             errors: by which the equations of the others may be wrong, likewise.
         """

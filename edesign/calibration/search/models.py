@@ -438,9 +438,6 @@ class Fitter:
 
         Their shares have the prior N(0, 1); all of them together are the share `shared_discrepancy` of what the effect
         does.
-
-        Args:
-            names: of the effects.
         """
         found = [self.other_equations(model, i) for i, effect in enumerate(model.effects) if effect.name in names]
         if not any(one.size for one in found):
@@ -496,6 +493,36 @@ class Fitter:
                 for start, change in self.changes(others, values, plain, form):
                     if any(c.any() for c in change):
                         yield form, start, change
+
+    def nearest_equations(
+        self, model: FittedModel, index: int, noise: Noise, number: int, here: bool = False
+    ) -> list[FittedModel]:
+        """Return a model with those other equations of an effect that come nearest to what it does and should do.
+
+        They have the size that the tests ask for, and are not fitted.
+
+        Args:
+            noise: by which nearness is measured.
+            number: of equations, at most.
+            here: whether only those are asked for that act in the same tests.
+        """
+        weights = [noise.weight(i) for i in range(len(model.left))]
+        both = zip(weights, model.contribution(index), model.left, strict=True)
+        target = np.concatenate([w * (c + r) for w, c, r in both])
+        near: dict[str, tuple[float, Start]] = {}
+        for form, values, changes in self.alternatives(model, index, here):
+            change = np.concatenate([w * c for w, c in zip(weights, changes, strict=True)])
+            share = float(change @ target) / float(change @ change)
+            if share * float(change @ target) > near.get(form.label, (-1.0,))[0]:
+                size = [values[0] * share, *values[1:]] if form.linear else values
+                near[form.label] = share * float(change @ target), Start(form, np.array(size))
+        others, kept = model.without(index)
+        slopes = [np.delete(j, model.places(index), axis=1) for j in model.fit.slopes]
+        order, found = [*range(index), len(others), *range(index, len(others))], list[FittedModel]()
+        for _, start in sorted(near.values(), key=lambda one: -one[0])[:number]:
+            placed = self.linearised((*others, start.effect), [kept, start.values], slopes, noise, model.fit.held)
+            found += [] if placed is None else [self.in_order(placed, order)]
+        return found
 
     def in_order(self, model: FittedModel, order: Sequence[int]) -> FittedModel:
         """Return a model with its effects in another order."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from edesign.calibration.search.models import FittedModel, Fitter, Key, Start, once
+from edesign.calibration.search.models import FittedModel, Fitter, Key, once
 from edesign.calibration.search.problem import Effect
 from edesign.calibration.search.screening import Screening, screen
 from edesign.estimation.left_out import LEAST
@@ -113,33 +113,10 @@ class Variants:
             number: of other equations of each effect that are tried.
         """
         fitter = self._fitter
-        weights = [noise.weight(i) for i in range(len(model.fit.predicted))]
         for index in range(len(model.effects)):
-            # what the effect does and should do
-            both = zip(weights, model.contribution(index), model.left, strict=True)
-            target = np.concatenate([w * (c + r) for w, c, r in both])
-            like: dict[str, tuple[float, Start]] = {}
-            for form, values, changes in fitter.alternatives(model, index):
-                change = np.concatenate([w * c for w, c in zip(weights, changes, strict=True)])
-                share = float(change @ target) / float(change @ change)
-                near = share * float(change @ target)
-                if near > like.get(form.label, (-1.0,))[0]:
-                    like[form.label] = near, Start(form, scaled(values, form.linear, share))
-            others, kept = model.without(index)
-            slopes = [np.delete(j, model.places(index), axis=1) for j in model.fit.slopes]
-            order = [*range(index), len(others), *range(index, len(others))]
-            models = [model]
-            for _, start in sorted(like.values(), key=lambda one: -one[0])[:number]:
-                at = [kept, start.values]
-                placed = fitter.linearised((*others, start.effect), at, slopes, noise, model.fit.held)
-                if placed is not None:
-                    models.append(fitter.in_order(fitter.rough(placed, noise), order))
+            nearest = fitter.nearest_equations(model, index, noise, number)
+            models = [model, *(fitter.rough(one, noise) for one in nearest)]
             totals = [fitter.score(one, noise, roughly=True).total for one in models]
             alike = [(one, total) for one, total in zip(models, totals, strict=True) if total > max(totals) - LEAST]
             model = min(alike, key=lambda one: (np.sum(~one[0].fit.free), one[0].fit.z.size, -one[1]))[0]
         return model
-
-
-def scaled(start: np.ndarray, linear: bool, share: float) -> np.ndarray:
-    """Return a start (p,) of an effect, its size multiplied by a share if what it does is linear in that."""
-    return np.array([start[0] * share, *start[1:]]) if linear else start
