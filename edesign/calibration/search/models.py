@@ -471,8 +471,11 @@ class Fitter:
         """
         starts = np.array([[*values, *start] for start in form.starts])
         for start, there in zip(form.starts, self.predict((*effects, form), starts), strict=True):
-            if not isinstance(there, PredictionError) and all(np.isfinite(f).all() for f in there):
-                yield np.array(start), [f - g for f, g in zip(there, plain, strict=True)]
+            if isinstance(there, PredictionError):
+                continue
+            change = [f - g for f, g in zip(there, plain, strict=True)]
+            if np.isfinite(np.linalg.norm(np.concatenate(change))):  # a number may be too large to be squared
+                yield np.array(start), change
 
     def alternatives(
         self, model: FittedModel, index: int, here: bool = False

@@ -118,3 +118,10 @@ def test_one_test_above_its_noise_is_searched_though_all_together_are_at_the_flo
     left = np.array([float(r @ r) / r.size for r in result.base.left]) / 0.01**2
     assert 1.0 < left.mean() < 1.4 and left.max() > 3.0
     assert result.best.names == {"event"}
+
+
+def test_what_is_too_large_to_be_squared_is_not_seen() -> None:
+    """An equation that overflows at its start is finite, and its power is not."""
+    huge = effect("huge", "x", lambda p, i, u, v: 1e200 * p[0] * u)
+    with np.errstate(over="ignore"):
+        assert found(CurveProblem(effects=(*EFFECTS, huge), truth=((CUBIC, (0.2,)),))).best.names == {"hardening"}
