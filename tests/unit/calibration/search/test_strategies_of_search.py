@@ -309,6 +309,20 @@ def test_what_is_slow_and_each_tests_own_is_seen_behind_better_guesses() -> None
     assert found(problem, singles=1, pairs=0).best.names == {"line"}
 
 
+def test_effects_are_screened_beside_another_reading_of_the_base() -> None:
+    """Beside the reading at hand three guesses come before the effect, which is the first beside the right one."""
+    course = columns(61)
+    reading = Effect("reading", "x", "damper", (), ((),), False, False, lambda p, i, u, v: course[i])
+    guesses = [
+        linear(f"guess_{k}", [m + 0.5 * c for m, c in zip(course, columns(62 + k), strict=True)]) for k in range(3)
+    ]
+    effects = (*guesses, DRAG, reading)
+    problem = CurveProblem(effects=effects, truth=((reading, ()), (DRAG, (0.1,))))
+    # of single effects, one is tried beside each model, and no further depth is looked at
+    assert found(problem, singles=1, pairs=0, depth=1).best.names == {"reading", "drag"}
+    assert "reading" not in found(replace(problem, truth=((DRAG, (0.1,)),))).best.names
+
+
 def test_what_is_each_tests_own_is_screened_in_pairs() -> None:
     """Beside its own constant each test shows the second effect; neither is better alone than the other guesses."""
     lifted = effect("lifted", "x", lambda p, i, u, v: p[0] * (20.0 + np.sin(7.0 * u)))
