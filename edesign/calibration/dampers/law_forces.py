@@ -31,6 +31,7 @@ class LawTest:
         rig: in series with it; None: nothing.
         prior_extremes: extremes that the specimen went through before.
         rest: s since the test before.
+        keeps_extremes: whether extremes go on from the test before, as the specimen had them behind its rig.
     """
 
     law: str
@@ -39,6 +40,7 @@ class LawTest:
     rig: RigValues | None
     prior_extremes: Extremes
     rest: float = LONG
+    keeps_extremes: bool = False
 
 
 Run = tuple[tuple[LawTest, Motion], ...]
@@ -57,7 +59,8 @@ def forces(runs: Sequence[Run], threads: int, length: float) -> list[list[np.nda
     """
     together: dict[Hashable, list[int]] = {}
     for i, run in enumerate(runs):
-        key = tuple((id(motion), test.rig, test.rest if len(run) > 1 else LONG) for test, motion in run)
+        alone = len(run) == 1
+        key = tuple((id(of), one.rig, LONG if alone else one.rest, one.keeps_extremes) for one, of in run)
         together.setdefault(key, []).append(i)
     groups = list(together.values())
     out: list[list[np.ndarray] | PredictionError] = [PredictionError("not predicted")] * len(runs)
@@ -114,7 +117,7 @@ def _together(runs: Sequence[Run], threads: int, length: float) -> list[list[np.
             tests,
             "fixed",
             length=length,
-            carry="effects" if len(tests) > 1 else False,
+            carry=runs[0][0][0].keeps_extremes or ("effects" if len(tests) > 1 else False),
             threads=threads,
         )
     except CoreError as error:

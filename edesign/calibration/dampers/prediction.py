@@ -188,9 +188,11 @@ class Prediction:
         rests = _mechanisms(effects, Rest)
         lasting = self._lasting or bool(_mechanisms(effects, LastingExtremes))
         rest = min((p[mechanism.duration] for mechanism, p in rests), default=LONG)
-        carries = self._ordered and (bool(rests) or any(mechanism.carries for mechanism, _ in core_effects))
         rigs = [mechanism.values(p) for mechanism, p in _mechanisms(effects, Rig)]
         rig = RigValues.together(rigs) if rigs else None
+        # behind a rig the core alone knows how far the specimen went
+        keeps = lasting and rig is not None
+        carries = keeps or (self._ordered and (bool(rests) or any(mechanism.carries for mechanism, _ in core_effects)))
         changes, thermometers = _mechanisms(effects, LawParameters), bool(_mechanisms(effects, Thermometer))
         at_temperature: dict[float, tuple[float, ...]] = {}
         prior, found = NONE, []
@@ -221,10 +223,11 @@ class Prediction:
                 rig,
                 own_extremes,
                 rest,
+                keeps,
             )
             own = (i, parts, key, law_test)
             before = (*before, own) if carries else (own,)
-            if lasting:
+            if lasting and not keeps:
                 prior = widest(own_extremes, moved.extremes if test.continued else motion.extremes)
             if carries or i in wanted:
                 found.append(_Asked(i, before, law_test, moved, actuator, parts))

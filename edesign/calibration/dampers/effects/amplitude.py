@@ -98,6 +98,7 @@ _LASTING = EffectForm(
     lambda s: ((),),
     shown=lambda s: s.tests > 1 and s.ordered,
     laws=SOFTENED,
+    exact=True,  # a reading of the law, and as right as that
 )
 
 FORMS = (

@@ -10,6 +10,7 @@ import pytest
 from damper_problems import LAW_VALUES, problem
 
 from edesign.calibration.dampers.effect import REFINED
+from edesign.core.damper import CoreDamper
 from edesign.damper.damper import Damper
 from edesign.damper.fitting.identifiable import as_held
 from edesign.damper.laws import LAWS
@@ -179,6 +180,24 @@ def test_a_softened_specimen_stays_so_where_extremes_last():
     assert np.array_equal(one[0], other[0])
     # the fourth test is far smaller than the third one
     assert np.max(np.abs(other[3])) < 0.95 * np.max(np.abs(one[3]))
+
+
+def test_extremes_that_last_are_those_of_the_specimen_behind_its_rig():
+    """Equilibrium: the law, moved as the spring leaves it and softened by how it moved before, has its force."""
+    tests, stiffness = problem("mgmm", lasting=True), 5e6
+    effect = next(one for one in tests.effects if one.label == "series_flexibility.linear")
+    values = np.array([[*(one.centre for one in tests.base), stiffness]])
+    (forces,) = tests.model((effect,), ("fit", "validate")).forces(values)
+    prior = (0.0, 0.0, 0.0, 0.0)
+    for one, force in zip(tests.experiments, forces, strict=True):
+        time = one.motion.time
+        moved = one.motion.displacement - force / stiffness
+        law = CoreDamper("mgmm", tuple(LAWS["mgmm"].complete(tests.declared).values()), prior_extremes=prior)
+        speed = np.gradient(moved, time)
+        error = law.force(time, moved, speed) - force
+        assert np.max(np.abs(error)) < 5e-3 * np.max(np.abs(force))
+        most = [float(f(x)) for x in (moved, speed) for f in (np.max, np.min)]
+        prior = tuple(f(a, b) for f, a, b in zip((max, min, max, min), prior, most, strict=True))
 
 
 def test_lasting_extremes_are_an_effect_of_laws_that_they_soften():
