@@ -182,6 +182,9 @@ def _end_of_motion(free: np.ndarray, power: np.ndarray) -> int | None:
 def _coloured(power: np.ndarray, at: np.ndarray) -> Level | None:
     """Return noise that is correlated from sample to sample, x_i = phi x_(i-1) + e_i; None if the spectrum is another.
 
+    Where the motion ends high in the band, its own tail falls like that. Noise below is taken to be as strong as at the
+    lowest frequency that is seen, not stronger.
+
     Args:
         power: (n,) spectrum.
         at: (n,) frequencies, in shares of the Nyquist frequency.
@@ -194,7 +197,10 @@ def _coloured(power: np.ndarray, at: np.ndarray) -> Level | None:
     misfit, phi, drive = min(left)
     if misfit > _ALIKE:
         return None
-    return Level(drive / (1.0 - phi**2), drive / (1.0 - phi) ** 2)
+    first = float(at[0])
+    density = drive / (1.0 - 2.0 * phi * math.cos(math.pi * first) + phi**2)
+    below = math.atan((1.0 + phi) / (1.0 - phi) * math.tan(0.5 * math.pi * first)) * 2.0 / math.pi  # of all, by phi
+    return Level(drive / (1.0 - phi**2) * (1.0 - below) + density * first, density)
 
 
 def _segments(values: np.ndarray) -> tuple[np.ndarray, tuple[int, np.ndarray]]:

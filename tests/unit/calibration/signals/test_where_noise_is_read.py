@@ -98,3 +98,23 @@ def test_coloured_and_rounded_noise_beside_random_motion() -> None:
     step = 5.0 * size  # Widrow & Kollar, Quantization Noise, 2008, 1.3: step / sqrt(12)
     rounded = np.round(force / step) * step
     assert white_noise(rounded, t, (u, force)) == pytest.approx(step / np.sqrt(12.0), rel=0.1)
+
+
+@pytest.mark.parametrize("power", [3.0, 4.0])
+def test_the_tail_of_a_motion_is_no_correlated_noise(power: float) -> None:
+    """The noise of the force hides from 0.4 of the Nyquist frequency on that the tail of the motion goes on to 0.5.
+
+    Before, the noise was 2.7 and 1.9 times as large, and smoothing took a third more off the velocity than it left.
+    """
+    rate, corner, random = 400.0, 12.0, np.random.default_rng(7)
+    t, f = np.arange(10000) / rate, np.fft.rfftfreq(10000, 1.0 / rate)
+    tail = 1.0 / (1.0 + (f / corner) ** power)
+    reaches, hidden = (1.0 / (1.0 + (share * 0.5 * rate / corner) ** power) for share in (0.5, 0.4))
+    turns = random.standard_normal((2, f.size)) * np.sqrt(0.5 * t.size) * (f > 0.0) * tail / reaches
+    noise = 1e-7
+    u = np.fft.irfft(noise * (turns[0] + 1j * turns[1]), t.size)
+    force = 1e6 * (u + noise * hidden / reaches * random.standard_normal(t.size))
+    found, velocity, _, told = smooth(t, u + noise * random.standard_normal(t.size), beside=(force,))
+    assert told < 1.5 * noise
+    true = np.gradient(u, t)
+    assert np.std(np.gradient(found, t) - true) < 0.08 * np.std(true)
