@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 from scipy.optimize import least_squares
-from scipy.signal import butter, sosfilt
+from scipy.signal import butter, sosfilt, sosfiltfilt
 
 from blind.laboratories.wharf import effects as hidden
 from blind.laboratories.wharf import laws, motions, programme
@@ -413,10 +413,8 @@ def _read(of: Campaign, rng: np.random.Generator) -> bool:
     corner = float(rng.uniform(0.38, 0.47)) if rng.random() < 0.6 else 0.0  # of the logger, times the sampling rate
     shakes = [_shake(of, i, rng) for i in range(len(of.tests))]
     probe = 1e-4 * of.scale.u
-    moved = _along(of, shakes, probe)
-    power = np.mean([np.mean(change**2) for change in moved])
+    power = np.mean([np.mean(_along(of, i, probe * shake) ** 2) for i, shake in enumerate(shakes)])
     amplitude = probe * float(np.sqrt(by_displacement / power)) * of.noise
-    changes = _along(of, shakes, amplitude) if amplitude else [np.zeros_like(m.x) for m in of.motions]
     corner, left = _logger(of, corner)
     if left is None:
         return False
@@ -437,7 +435,8 @@ def _read(of: Campaign, rng: np.random.Generator) -> bool:
         read = np.round((force[at] + white * noise) / f_step) * f_step
         shown = x[at] + amplitude * shake[at]
         shown = np.round(shown / x_step) * x_step if x_step else np.round(shown, 5)
-        lost = float(np.sum((read - force[at]) ** 2) + np.sum(changes[i][at] ** 2))
+        moved = amplitude * shake + _in_band(of, i, at, shown - x[at] - amplitude * shake[at])
+        lost = float(np.sum((read - force[at]) ** 2) + np.sum(_along(of, i, moved)[at] ** 2))
         lost += float(np.sum(left[i][at] ** 2))
         time = (at - (0 if keeps_clock else at[0])) * run.dt * run.stretch
         temperature = None
@@ -462,24 +461,33 @@ def _read(of: Campaign, rng: np.random.Generator) -> bool:
 
 def _shake(of: Campaign, i: int, rng: np.random.Generator) -> Array:
     """Noise of a displacement, of unit size, in the band of the motion: no filter parts it from the motion."""
-    motion, test = of.motions[i], of.tests[i]
-    band = min(1.5 * motion.fastest, 0.4 * test.sampling)
-    shake = sosfilt(butter(2, band, fs=1 / motion.dt, output="sos"), rng.standard_normal(len(motion.x)))
+    motion = of.motions[i]
+    shake = sosfilt(_band(of, i), rng.standard_normal(len(motion.x)))
     return np.asarray(shake / shake.std())
 
 
-def _along(of: Campaign, shakes: list[Array], amplitude: float) -> list[Array]:
-    """What the noise of the displacement does to the force, through the law's own loops."""
-    changes = []
-    for motion, shake, parts in zip(of.motions, shakes, of.parts, strict=True):
-        moved = amplitude * shake
-        v = motion.v + np.gradient(moved, motion.dt)
-        if of.lasting:  # beside its own memory, as the noise is small
-            straight = laws.run(of.law, of.true, motion.dt, motion.x, motion.v)[0].sum(axis=0)
-        else:
-            straight = parts.sum(axis=0)
-        changes.append(laws.run(of.law, of.true, motion.dt, motion.x + moved, v)[0].sum(axis=0) - straight)
-    return changes
+def _band(of: Campaign, i: int) -> Array:
+    """A filter that lets the band of a motion pass."""
+    motion = of.motions[i]
+    return np.asarray(butter(2, min(1.5 * motion.fastest, 0.4 * of.tests[i].sampling), fs=1 / motion.dt, output="sos"))
+
+
+def _in_band(of: Campaign, i: int, at: NDArray[np.intp], rounding: Array) -> Array:
+    """What rounding of the samples leaves in the band of the motion, where no filter parts it from the motion."""
+    found = np.zeros_like(of.motions[i].x)
+    found[at[0] : at[-1] + 1] = CubicSpline(at, rounding)(np.arange(at[0], at[-1] + 1))
+    return np.asarray(sosfiltfilt(_band(of, i), found))
+
+
+def _along(of: Campaign, i: int, moved: Array) -> Array:
+    """What an error of the displacement does to the force, through the law's own loops."""
+    motion = of.motions[i]
+    v = motion.v + np.gradient(moved, motion.dt)
+    if of.lasting:  # beside its own memory, as the noise is small
+        straight = laws.run(of.law, of.true, motion.dt, motion.x, motion.v)[0].sum(axis=0)
+    else:
+        straight = of.parts[i].sum(axis=0)
+    return np.asarray(laws.run(of.law, of.true, motion.dt, motion.x + moved, v)[0].sum(axis=0) - straight)
 
 
 def _logger(of: Campaign, corner: float) -> tuple[float, list[Array] | None]:
