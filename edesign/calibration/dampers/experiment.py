@@ -99,9 +99,15 @@ class Experiment:
         return self.start.first(self.motion.time) if self.start else 0
 
     @cached_property
+    def ends(self) -> np.ndarray:
+        """Samples (n,) at an end of the record in motion, where velocity and acceleration are not known."""
+        whole = self.motion if self.full is None else self.full.motion
+        return whole.ends[np.searchsorted(whole.time, self.motion.time)]
+
+    @cached_property
     def judged(self) -> np.ndarray:
-        """Samples (n,) that are judged: none before the first one, and none that is clipped or a spike."""
-        found = np.ones(self.motion.time.size, dtype=bool)
+        """Samples (n,) that are judged: none before the first one, none that is clipped or a spike, none at `ends`."""
+        found = ~self.ends
         for lost in (self.clipped, self.spikes, self.motion_spikes):
             found &= True if lost is None else ~lost
         found[: self.judged_from] = False

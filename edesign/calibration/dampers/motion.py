@@ -15,6 +15,14 @@ from edesign.damper.history import Extremes
 
 _NEAR = 1e-3
 """Of a step, between samples before and after an onset: what it is late by is a thousandth of what a step shows."""
+_AT_END = 3
+"""Samples at an end whose derivatives follow from the end condition of a spline: the equations (1, 4, 1) of its slopes
+have the solution (3^(1/2) - 2)^k, so that what it is wrong by falls to 0.27 a sample, and to 2 % after these.
+"""
+_MOST = 0.1  # of a record, that its ends may be
+_SLOW = (
+    0.01  # of the largest velocity: a motion that is no faster at an end is at rest there, as an end condition has it
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -122,6 +130,15 @@ class Motion:
         t = earlier.time + (0.0 if gap > 0.0 else gap - float(self.steps[0]))
         both = zip((t, *earlier.samples[1:]), self.samples, strict=True)
         return Motion(*(np.concatenate(pair) for pair in both), cornered=self.cornered, preceded=t.size)
+
+    @cached_property
+    def ends(self) -> np.ndarray:
+        """Samples (n,) at an end in motion, where velocity and acceleration are not known."""
+        found, speed = np.zeros(self.time.size, dtype=bool), np.abs(self.velocity)
+        if not self.cornered and 2 * _AT_END <= _MOST * found.size:
+            fast = _SLOW * float(np.max(speed))
+            found[:_AT_END], found[-_AT_END:] = speed[0] > fast, speed[-1] > fast
+        return found
 
     @cached_property
     def steps(self) -> np.ndarray:

@@ -141,6 +141,7 @@ class Series:
         clipped: (n,) whether what is measured stands at the end of the instrument's range; None: it does nowhere.
         spikes: (n,) whether it is a spike, over which it is interpolated; None: there is none.
         motion_spikes: (n,) the same of the displacement.
+        ends: (n,) whether it is at an end of the record in motion, whose derivatives are not known; None: nowhere.
         assumed: whether `noise` is the least that an instrument is thought to have, as the record shows less.
     """
 
@@ -163,6 +164,7 @@ class Series:
     clipped: np.ndarray | None = None
     spikes: np.ndarray | None = None
     motion_spikes: np.ndarray | None = None
+    ends: np.ndarray | None = None
     assumed: bool = False
 
     @property
@@ -172,16 +174,16 @@ class Series:
 
     @property
     def counted(self) -> np.ndarray:
-        """Samples (n,) that errors count: of those that are judged the ones that are neither clipped nor spikes."""
+        """Samples (n,) that errors count: of those that are judged the ones that are not lost."""
         found = ~self._lost
         found[: self.judged.start] = False
         return found
 
     @property
     def _lost(self) -> np.ndarray:
-        """Samples (n,) that are clipped, or spikes."""
+        """Samples (n,) that are clipped, spikes, or at ends in motion."""
         found = np.zeros(self.time.size, dtype=bool)
-        for lost in (self.clipped, self.spikes, self.motion_spikes):
+        for lost in (self.clipped, self.spikes, self.motion_spikes, self.ends):
             found |= False if lost is None else lost
         return found
 

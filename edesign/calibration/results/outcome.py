@@ -210,6 +210,7 @@ class DamperOutcome(Evidence[Sequence[np.ndarray]]):
                     clipped=one.clipped,
                     spikes=one.spikes,
                     motion_spikes=one.motion_spikes,
+                    ends=one.ends if np.any(one.ends) else None,
                     assumed=not self._floor.measured or self._floor.noise[i] <= least_noise(one.force),
                 )
             )
