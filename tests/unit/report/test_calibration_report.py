@@ -193,6 +193,20 @@ def test_a_hypothesis_stands_beside_the_effects_with_its_reason() -> None:
     assert hypotheses_table(example.calibration()).rows == []
 
 
+def test_a_law_at_the_end_of_what_it_can_do_is_told_where_more_is_left() -> None:
+    found = example.more_is_left()
+    stage = found.law_file.stage
+    name, *_ = found.parameters[stage]
+    bound = {**found.parameters[stage], name: estimate(1.0, math.inf, "", not_determined="at its lower bound")}
+    told = f"The law {found.law} is at the end of what it can do: {name} at its lower bound."
+    assert told in verdict_text(replace(found, parameters={**found.parameters, stage: bound}))
+    assert "at the end of what it can do" not in verdict_text(found)
+    fine = example.calibration()
+    assert fine.verdict == "explained"
+    at_bound = {each: bound for each in fine.parameters}
+    assert "at the end of what it can do" not in verdict_text(replace(fine, parameters=at_bound))
+
+
 def test_what_the_tests_do_not_determine_is_reported_with_the_reason() -> None:
     bound = estimate(0.5, math.inf, "", not_determined="at its upper bound")
     effect = replace(example.gain(), parameters={"g": bound})
