@@ -127,9 +127,10 @@ def _errors(calibration: Calibration) -> str:
     )
     texts = [
         f"In {_TESTS[calibration.subject]} that nothing was fitted to, {model} leaves an NRMS of "
-        f"{percent(corrected)} % of the {_MEASURED[calibration.subject]} ({percent(math.sqrt(corrected), 2)} % in "
-        f"rms), as declared it leaves {percent(declared)} %"
+        f"{percent(corrected)} % of the {_MEASURED[calibration.subject]} ({percent(math.sqrt(corrected), 2)} % in rms)"
     ]
+    if calibration.effects or not (calibration.as_declared or calibration.law_fixed):
+        texts.append(f", as declared it leaves {percent(declared)} %")
     if calibration.effects and not calibration.law_fixed:
         texts.append(f", fitted again without effects {percent(refit)} %")
     texts.append(f"; what no model can predict is {percent(calibration.noise_floor)} %")
@@ -142,6 +143,8 @@ def _errors(calibration: Calibration) -> str:
     if calibration.as_declared:
         fitted = "" if calibration.effects else f": fitted ones leave {percent(refit)} %"
         texts.append(f" Its parameters are kept as declared{fitted}.")
+    if calibration.fitted_first:
+        texts.append(" The campaign names no parameters: those called declared were fitted to the tests first.")
     texts.append(_weights(calibration))
     if calibration.more_is_left:
         share = percent(calibration.unexplained_share, 2)

@@ -322,7 +322,9 @@ def test_a_law_kept_as_declared_is_compared_with_the_fitted_one_alike() -> None:
     """The error of the law fitted without effects says nothing of a law with effects."""
     found = replace(example.calibration(), as_declared=True)
     assert "Its parameters are kept as declared." in verdict_text(found)
-    assert "kept as declared: fitted ones leave" in verdict_text(replace(found, effects=()))
+    alone = verdict_text(replace(found, effects=(), fitted_first=True))
+    assert "kept as declared: fitted ones leave" in alone and "as declared it leaves" not in alone
+    assert "those called declared were fitted to the tests first" in alone
 
 
 def test_weights_are_explained_where_a_fit_is_worse_in_the_digits_shown() -> None:
