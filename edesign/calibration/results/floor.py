@@ -55,8 +55,7 @@ class Floor:
 
         Args:
             problem: with all tests, at full rate.
-            model: through which noise of the displacement makes force, if it has effects, and errors of the
-                thermometer. Without effects that noise has been taken through the declared law.
+            model: through which noise of the displacement makes force, and errors of the thermometer.
             forces: (n_i,) N of every test, predicted by it.
         """
         left = [judged(one, one.judged * (one.force - f)) for one, f in zip(problem.experiments, forces, strict=True)]
@@ -159,13 +158,13 @@ def _over_own(one: Experiment, left: np.ndarray, noise: float, thermal: float) -
 
 
 def _through(problem: DamperProblem, model: FittedModel, predicted: Sequence[np.ndarray]) -> Sequence[Experiment]:
-    """Return the tests with noise of the displacement through the effects of a model, if it has any.
+    """Return the tests with noise of the displacement, and what is not known between samples, through a model.
 
-    Beside this model the noise of the force is measured again, and the smaller one counts.
+    Beside it the noise of the force is measured again. Through the law as declared both are known.
     """
-    if not model.effects:
-        pairs = zip(problem.experiments, with_channel_noise(problem.experiments, predicted), strict=True)
-        return [one if one.noise_measured and one.noise <= other.noise else other for one, other in pairs]
+    if not model.effects and np.array_equal(model.fit.values, [one.centre for one in problem.base]):
+        measured = all(one.noise_measured for one in problem.experiments)
+        return problem.experiments if measured else with_channel_noise(problem.experiments, predicted)
 
     def forces_of(other: DamperProblem) -> list[np.ndarray]:
         (found,) = other.model(model.effects, USES).forces(model.fit.values)
