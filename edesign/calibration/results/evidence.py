@@ -299,7 +299,8 @@ class Evidence(ABC, Generic[T]):
         found = {key: refusal_words(one) for key, one in self.found.refused.items()}
         for one in self.kept.dropped:
             label = one.model.effects[one.index].label
-            others = f"{label} was taken off {one.model.label} after the search"
+            rest = one.model.label if len(one.model.effects) > 1 else "the law"
+            others = f"{label} was taken off {rest} after the search"
             found |= {m.key: others for m in self.found.models if label in m.key}
             found[one.model.key] = f"{label}: {why_dropped(one)}"
         return found
