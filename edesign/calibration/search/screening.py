@@ -208,11 +208,11 @@ class _Evidence:
     def pairs(self, starts: Sequence[Start], number: int) -> list[Pair]:
         """Return the best pairs of starts of different effects with their log evidence."""
         own, along, products = np.diag(self.products) + 1.0, self.along, self.products
-        determinant = np.maximum(np.outer(own, own) - products**2, 1e-12 * np.outer(own, own))
-        explained = (
-            np.outer(along**2, own) + np.outer(own, along**2) - 2.0 * products * np.outer(along, along)
-        ) / determinant
-        logs = self.log_of(explained, np.log(determinant)) + np.add.outer(_log_priors(starts), _log_priors(starts))
+        with np.errstate(all="ignore"):  # of changes too large for their products no pair is looked at
+            determinant = np.maximum(np.outer(own, own) - products**2, 1e-12 * np.outer(own, own))
+            twice = 2.0 * products * np.outer(along, along)
+            explained = (np.outer(along**2, own) + np.outer(own, along**2) - twice) / determinant
+            logs = self.log_of(explained, np.log(determinant)) + np.add.outer(_log_priors(starts), _log_priors(starts))
         names = np.array([start.effect.name for start in starts])
         logs[(names[:, np.newaxis] == names) | np.tri(len(starts), dtype=bool)] = -np.inf
         found: list[Pair] = []
