@@ -120,12 +120,24 @@ class Search:
 
     def _grow(self) -> None:
         """Adopt effects until no more than noise is left, or the next depth passes no gate."""
+        if not (self._best.effects or self._best.at_floor):
+            self._read()
         while len(self._best.effects) < self._settings.depth and not self._best.at_floor:
             self._progress(f"screening beside {self._best.label}: an NRMS of {100.0 * self._best.nrms:.3g} % is left")
             adopted = self._depth(self._best)
             if adopted is None:
                 break
             self._best = self._adoption.take(adopted)
+
+    def _read(self) -> None:
+        """Take another reading of the base if it passes all gates: a base fitted under the wrong one is bent to it."""
+        best, fitter = self._best, self._fitter
+        with fitter.effort.on("the model alone"):
+            tried = [Tried(self._note(one), fitter.compare(one, best)) for one in self._variants.readings()]
+        with fitter.effort.on("gates of adoption"):
+            adopted = self._adoption.best_of(sorted(tried, key=lambda one: -one.difference.total), best)
+        if adopted is not None:
+            self._best = self._adoption.take(self._note(adopted))
 
     def _challenged(self) -> bool:
         """Fit other effects in the place of each one of the best model; return whether a model takes its place."""

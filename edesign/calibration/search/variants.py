@@ -28,25 +28,20 @@ class Variants:
         return self._fitter.as_declared(model) if model.effects else self._declared
 
     def otherwise_based(self, model: FittedModel) -> list[FittedModel]:
-        """Return what is screened beside a model too: with the other base, or one as declared with the base fitted.
-
-        Without effects these are readings of the base as well: effects without parameters. A base that is fitted under
-        the wrong one is bent, so that to first order little is seen of the right one, and of effects beside it.
-        """
+        """Return a model without effects with the other base, one as declared with the base fitted too, else none."""
         if self._declared is self._base or (model.effects and model.refits):
             return []
         if not model.effects:
-            return [self._base if model is self._declared else self._declared, *self._readings()]
+            return [self._base if model is self._declared else self._declared]
         found = self._fitter.fit(model.effects, model.fit.values, model.noise, self._fitter.settings.rough_steps)
         return [] if found is None else [found]
 
-    def _readings(self) -> list[FittedModel]:
-        """Return the base under each other reading of it, fitted, but those that are surely behind."""
+    def readings(self) -> list[FittedModel]:
+        """Return the base under each other reading of it, an effect without parameters, fitted; none if it is fixed."""
         fitter, base = self._fitter, self._base
         forms = [one for one in fitter.problem.effects if not (one.parameters or one.nuisance)]
-        fitted = [fitter.fit((form,), base.fit.values, base.noise) for form in forms]
-        found = [fitter.reweighted(one) for one in fitted if one is not None]
-        return [one for one in found if not fitter.behind(one, base)]
+        fitted = [fitter.fit((form,), base.fit.values, base.noise) for form in forms if base is not self._declared]
+        return [fitter.reweighted(one) for one in fitted if one is not None]
 
     def without_effects(self, model: FittedModel) -> FittedModel:
         """Return the base of a model alone, as declared or fitted like its own."""

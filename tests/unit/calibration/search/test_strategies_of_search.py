@@ -310,7 +310,7 @@ def test_what_is_slow_and_each_tests_own_is_seen_behind_better_guesses() -> None
 
 
 def test_effects_are_screened_beside_another_reading_of_the_base() -> None:
-    """Beside the reading at hand three guesses come before the effect, which is the first beside the right one."""
+    """Beside the reading at hand a guess comes before the effect, which is the first one beside the right reading."""
     course = columns(61)
     reading = Effect("reading", "x", "damper", (), ((),), False, False, lambda p, i, u, v: course[i])
     guesses = [
@@ -318,8 +318,8 @@ def test_effects_are_screened_beside_another_reading_of_the_base() -> None:
     ]
     effects = (*guesses, DRAG, reading)
     problem = CurveProblem(effects=effects, truth=((reading, ()), (DRAG, (0.1,))))
-    # of single effects, one is tried beside each model, and no further depth is looked at
-    assert found(problem, singles=1, pairs=0, depth=1).best.names == {"reading", "drag"}
+    result = found(problem, singles=1, pairs=0, depth=2)
+    assert result.depths[0].best.names == {"reading"} and result.best.names == {"reading", "drag"}
     assert "reading" not in found(replace(problem, truth=((DRAG, (0.1,)),))).best.names
 
 
