@@ -1161,6 +1161,7 @@ LEFT = {
         "is no unit of a ratio; write `%`, or `1`", "the table does not say of what",
         "the ends of a buckling-restrained brace are in its `KF`", "`carries_gravity: true`",
         "` gives this too; leave one of them out", "there is no test to fit to", "need the layers of the specimen",
+        "if one record was cut there, say `start: continued`", "`order: unknown` says that none does",
         "is an angular velocity; write the frequency in Hz, for example `0.5 Hz`",
         "intensities are factors of a level here", "compare spectra of 5 % damping",
         "name members by ranges such as `storeys: 1-10`", "has no list of sizes; name the sections one by one",
