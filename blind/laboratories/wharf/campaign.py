@@ -301,6 +301,8 @@ def refit(of: Campaign, runs: list[Run], start: Array | None = None, slopes: Arr
     def error(x: Array) -> Array:
         return (_fitted(of, answers(of, values(x), runs)) - target) / of.scale.force  # type: ignore[union-attr]
 
+    if start is not None and not np.isfinite(start).all():  # slopes of what overflows: as large as can be
+        return np.inf
     first = np.zeros(len(free)) if start is None else np.clip(start, -0.7, 0.7)
     scaled = None if slopes is None else slopes / of.scale.force  # type: ignore[union-attr]
     best = least_squares(
@@ -361,7 +363,7 @@ def _hide(of: Campaign, names: list[str], rng: np.random.Generator) -> bool:
             if effect.size == tried:
                 break
         left = refit(of, runs, turn.T @ along, slopes if len(free) > FEW else None)
-        if left <= 1e-4 * of.scale.force:
+        if not 1e-4 * of.scale.force < left < np.inf:
             return False
         if low == high and not of.noise:
             of.noise = share * of.scale.force
