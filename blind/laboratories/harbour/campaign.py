@@ -196,6 +196,8 @@ def make_campaign(rng, category, wanted, law_wanted, odd_one):
             law = str(rng.choice(pool)) if pool else law
         hot = "temperature_law" in wanted or (rng.random() < 0.07)
         camp = base_campaign(rng, law, hot)
+        if not camp["validate"]:
+            continue
         if attempt > 3 and category[:5] != "clean" and camp["noise"]["force_share"] > 0.006:
             continue  # room for 3 to 30 times
         effects = [fx.draw(rng, w, law, camp["sc"]) for w in wanted]
