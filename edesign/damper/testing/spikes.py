@@ -11,7 +11,7 @@ import numpy as np
 
 from edesign.damper.testing.clipping import MEASURED
 from edesign.damper.testing.measured_histories import DamperTest
-from edesign.estimation.differences import difference_gain, robust_deviation
+from edesign.estimation.differences import difference_gain, difference_noise, robust_deviation
 
 _LONGEST = 3  # samples in a row: a row that is longer may as well be an event
 _BESIDE = 6  # samples before a row and after it by which it is predicted: a cubic leaves eight degrees of freedom
@@ -212,12 +212,15 @@ def _gathered(places: np.ndarray, drivers: int) -> np.ndarray:
 def repeated_frames(test: DamperTest) -> np.ndarray:
     """Return which samples (n,) repeat the frame before, of both channels, while the specimen moves on.
 
-    A motion does not stop for one to three samples between steps of four times its resolution to the same side.
+    A motion does not stop for one to three samples between steps of four times its resolution to the same side. Noise
+    s makes two equal readings between steps L of a motion whatever its speed with a chance of exp(-L^2/(10 s^2)) at
+    most: the likeliest four errors for that have the sum of squares L^2/5.
     """
     u, found = test.displacement, np.zeros(test.time.size, dtype=bool)
     steps = np.diff(u)
     same = found[1:] if test.force is None else (steps == 0.0) & (np.diff(test.force) == 0.0)
-    least = _MOVES * float(np.min(np.abs(steps[steps != 0.0])))
+    by_noise = math.sqrt(10.0 * math.log(u.size / _CHANCE)) * difference_noise(u, np.ones(u.size))
+    least = max(_MOVES * float(np.min(np.abs(steps[steps != 0.0]), initial=math.inf)), by_noise)
     for first, last in _rows(np.concatenate(([False], same))):
         if last - first < _LONGEST and min(first, u.size - 1 - last) > _BESIDE:
             before, after = steps[first - 2], steps[last]

@@ -172,3 +172,12 @@ def test_a_motion_that_is_slow_for_its_resolution_repeats_none() -> None:
     for step in (0.3 * RESOLUTION, RESOLUTION, 3.0 * RESOLUTION):
         assert not np.any(repeated_frames(repeating(step, ())))
     assert not np.any(repeated_frames(repeating(1e-3, (), rounded=False)))
+
+
+def test_noise_that_is_read_twice_by_chance_repeats_no_frame() -> None:
+    """Noise of four times the resolution reads one of ten samples as the one before where the motion is slow."""
+    rng, t = np.random.default_rng(9), 0.005 * np.arange(5000)
+    for rate in (0.3, 1.0, 3.0):
+        u = 10e-3 * np.sin(2.0 * np.pi * rate * t) + 4.0 * RESOLUTION * rng.standard_normal(t.size)
+        u, force = RESOLUTION * np.round(u / RESOLUTION), 500.0 * np.round(4e4 * u / 500.0)
+        assert not np.any(repeated_frames(DamperTest("test_1", t, u, force)))
