@@ -576,9 +576,9 @@ def test_nuisance_amplitudes_are_five_per_cent_of_the_force(label, columns):
     effect = offered(label)
     model = PROBLEM.model((effect,))
     found = model.nuisance_columns(np.array([one.centre for one in model.parameters]))
-    for m, own in zip(MOTIONS, found, strict=False):
+    for m, own, weights in zip(MOTIONS, found, model.weights, strict=False):
         for column in columns:
-            expected = 0.05 * S.force * column(m.time)
+            expected = 0.05 * S.force * weights * column(m.time)
             nearest = min(np.max(np.abs(one - expected)) for one in own.T)
             assert nearest < 1e-9 * S.force
 

@@ -45,9 +45,9 @@ def test_softening_before_a_record_is_a_share_of_its_own():
     columns = tests.model(()).nuisance_columns(values)
     own = tests.experiments[MOVING].motion.extremes
     far, fast = max(own[0], -own[1]), max(own[2], -own[3])
-    plain = forces(tests)[MOVING]
+    plain, weights = forces(tests)[MOVING], tests.model(()).weights[MOVING]
     for k, prior in enumerate([(far, -far, 0.0, 0.0), (0.0, 0.0, fast, -fast)]):
         # by the definition: the force after such extremes less that after none
-        assert np.array_equal(columns[MOVING][:, k], forces(moving(prior, False))[MOVING] - plain)
+        assert np.array_equal(columns[MOVING][:, k], weights * (forces(moving(prior, False))[MOVING] - plain))
     assert not any(np.any(column) for i, column in enumerate(columns) if i != MOVING)
     assert problem("mgmm").uncertain_inputs == ()
