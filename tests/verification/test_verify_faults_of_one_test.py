@@ -146,3 +146,15 @@ def test_the_handed_case_is_named() -> None:
     found = calibrate(CASE / "campaign.yaml", threads=1)
     assert found.verdict == "explained" and [effect.label for effect in found.effects] == ["clock.of_test_4"]
     check_size(told(found, "test_04"), "clock.of_test_4", 0.25)
+
+
+def test_a_gain_that_changed_before_the_last_fitted_test_is_no_fault_of_it_alone(tmp_path: Path) -> None:
+    """The tests that validate follow it, and have the gain too."""
+    path = campaign(tmp_path, "kelvin_voigt", more_force(0.12), 4)
+    for number in (5, 6):
+        file = tmp_path / f"run_{number:02d}.csv"
+        columns = np.loadtxt(file, delimiter=",", skiprows=1) * (1.0, 1.0, 1.12)
+        np.savetxt(file, columns, "%.7g", ",", header="time_s,displacement_mm,force_kN", comments="")
+    found = calibrate(path, threads=1)
+    assert [effect.label for effect in found.effects] == ["gain.force_from_test_4"]
+    assert not found.failed and found.outlying == ()
