@@ -17,13 +17,15 @@ from edesign.calibration.search.problem import Problem
 from edesign.calibration.search.settings import SETTINGS, SearchSettings
 from edesign.estimation.model import PredictionError
 from edesign.estimation.noise import Noise
+from edesign.estimation.parameters import ranges_of, values_of
 from edesign.estimation.uncertainty import Uncertainty, at_bounds, uncertainty
 from edesign.optional_stages import optional
 
 STEPS = 8
 """Of a fit that begins near its end."""
-_FINER, _FINEST = 4, 16
-"""Times, and times in all, that steps are cut: steps of a fit are of 5 ms or less, a contact lasts a millisecond."""
+_PARTS = (4, 16)
+"""Into which steps are cut: those of a fit are of 5 ms or less, a contact lasts a millisecond."""
+_CHORDS = 4  # steps by the slopes of the fit
 _OF_ERROR = 0.1  # of its standard error, by which errors of steps may move a parameter: the interval is as wide then
 
 
@@ -51,28 +53,37 @@ def at_full_rate(fitter: Fitter, model: FittedModel) -> FittedModel:
     return fitter.reweighted(found)
 
 
-def resolved(model: FittedModel, settings: SearchSettings) -> FittedModel:
-    """Return a model fitted with steps so fine that finer ones move no parameter by more than a share of its error.
+def resolved(model: FittedModel) -> FittedModel:
+    """Return a model with the parameters of steps so fine that finer ones move none by a share of its error.
 
-    Steps of a fit pass over what happens within one: a play that closes, a mass that follows a force which jumps. What
-    finer steps change moves parameters as noise of the channels does.
+    Steps of a fit pass over what happens within one: a play that closes, a mass that follows a force which jumps. With
+    the parameters that are returned finer steps predict what those of the fit did: they are found by its slopes.
 
     Args:
         model: fitted to all samples.
     """
-    problem: DamperProblem = model.problem  # type: ignore[assignment]
+    fitted, problem = model.fit, model.problem
     weights = [1.0 / one for one in problem.deviations]
-    while problem.parts < _FINEST:
-        finer = replace(problem, parts=problem.parts * _FINER)
-        (there,) = finer.model(model.effects).predict(model.fit.values[np.newaxis])
-        if isinstance(there, PredictionError):
+    slopes = np.vstack([w * j for w, j in zip(weights, fitted.slopes, strict=True)])
+    known = _OF_ERROR**2 * np.diag(np.linalg.pinv(slopes.T @ slopes))
+    z, bounds = fitted.z, ranges_of(fitted.model.parameters)
+    for parts in _PARTS:
+        finer: DamperProblem = replace(problem, parts=parts)  # type: ignore[type-var,assignment]
+        of, there = finer.model(model.effects), fitted.predicted
+        for chord in range(_CHORDS + 1):
+            (found,) = of.predict(values_of(of.parameters, z)[np.newaxis])
+            if isinstance(found, PredictionError):
+                return model
+            there = tuple(found)
+            change = [w * (f - g) for w, f, g in zip(weights, there, fitted.predicted, strict=True)]
+            step = np.linalg.lstsq(slopes, np.concatenate(change))[0]
+            if np.all(np.square(step) <= known):
+                break
+            if chord < _CHORDS:
+                z = np.clip(z - step, *bounds)
+        if chord == 0:
             break
-        slopes = np.vstack([w * j for w, j in zip(weights, model.freed.slopes, strict=True)])
-        change = [w * (f - g) for w, f, g in zip(weights, there, model.fit.predicted, strict=True)]
-        step = np.linalg.lstsq(slopes, np.concatenate(change))[0]
-        if np.all(np.square(step) <= _OF_ERROR**2 * np.diag(np.linalg.pinv(slopes.T @ slopes))):
-            break
-        problem, model = finer, at_full_rate(unbounded(finer, settings), model)
+        model = FittedModel(finer, model.effects, replace(fitted, model=of, z=z, predicted=there))
     return model
 
 

@@ -62,14 +62,12 @@ class DamperOutcome(Evidence[Sequence[np.ndarray]]):
 
         def fitted() -> tuple[FittedModel, FittedModel, Kept]:
             of, first = (weighed, found.best) if found.best.effects else (every, found.base)
-            best = resolved(at_full_rate(unbounded(of, settings), first), settings)
-            parts = best.problem.parts  # type: ignore[attr-defined]
-            whole = replace(weighed, parts=parts)
-            alone, fitter = (unbounded(replace(one, parts=parts), settings) for one in (every, whole))
+            best, alone = resolved(at_full_rate(unbounded(of, settings), first)), unbounded(every, settings)
+            whole = replace(weighed, parts=best.problem.parts)  # type: ignore[attr-defined]
             declared = at_full_rate(alone, found.declared)
             if not found.best.effects:
                 return declared, best, Kept(best)
-            refit = at_full_rate(alone, found.base)
+            refit, fitter = at_full_rate(alone, found.base), unbounded(whole, settings)
 
             def error(model: FittedModel) -> float:
                 return validation_error(whole, model.effects, model.fit.values)

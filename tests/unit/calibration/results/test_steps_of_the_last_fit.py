@@ -52,7 +52,7 @@ def _fitted(folder: Path, gap: float, effects: list[str]) -> FittedModel:
 
 def test_steps_are_cut_where_a_contact_is_shorter_than_they_are(tmp_path: Path) -> None:
     coarse = _fitted(tmp_path, GAP, ["play.gap_seated"])
-    fine = resolved(coarse, SETTINGS)
+    fine = resolved(coarse)
     assert fine.problem.parts > 1  # type: ignore[attr-defined]
     left = [float(np.std(np.concatenate(one.left))) / NOISE for one in (coarse, fine)]
     assert left[0] > 1.1 and left[1] < 1.02
@@ -65,4 +65,4 @@ def test_steps_are_cut_where_a_contact_is_shorter_than_they_are(tmp_path: Path) 
 
 def test_steps_are_as_they_were_where_nothing_happens_within_them(tmp_path: Path) -> None:
     found = _fitted(tmp_path, 0.0, [])
-    assert resolved(found, SETTINGS) is found
+    assert resolved(found) is found
