@@ -103,7 +103,7 @@ def model_uncertainty(model: FittedModel) -> Uncertainty:
 
     The parameters of an effect are those with which its equation comes nearest to what it does. So what other equations
     of it do in its place is freed of what its own parameters can make of it: the rest is what moves the law, and other
-    effects. All of them together have the amplitude of an error.
+    effects. Each other equation is as large as the effect, and all of them together have the amplitude of an error.
 
     Source: Plumlee (2017), J. Am. Statist. Assoc. 112, 1274-1285 (parameters of a model that is not exact).
     """
@@ -113,8 +113,12 @@ def model_uncertainty(model: FittedModel) -> Uncertainty:
     weights = np.repeat([model.noise.weight(i) for i in range(len(sizes))], sizes)[:, np.newaxis]
     found = [np.zeros((sum(sizes), 0))]
     for index in range(len(model.effects)):
-        wrong, own = weights * fitter.other_equations(model, index), weights * slopes[:, model.places(index)]
-        found.append((wrong - own @ np.linalg.lstsq(own, wrong)[0]) / weights)
+        others = [np.concatenate(change) for _, _, change in fitter.alternatives(model, index, here=True)]
+        if others:
+            wrong, own = weights * np.column_stack(others), weights * slopes[:, model.places(index)]
+            change = weights[:, 0] * np.concatenate(model.contribution(index))
+            wrong *= np.linalg.norm(change) / np.linalg.norm(wrong, axis=0) / math.sqrt(len(others))
+            found.append((wrong - own @ np.linalg.lstsq(own, wrong)[0]) / weights)
     columns = np.split(np.hstack(found), np.cumsum(sizes)[:-1])
     return uncertainty(fitted, model.noise, wrong=columns, share=SETTINGS.median_discrepancy)
 
