@@ -20,9 +20,7 @@ _AT_END = 3
 have the solution (3^(1/2) - 2)^k, so that what it is wrong by falls to 0.27 a sample, and to 2 % after these.
 """
 _MOST = 0.1  # of a record, that its ends may be
-_SLOW = (
-    0.01  # of the largest velocity: a motion that is no faster at an end is at rest there, as an end condition has it
-)
+_SLOW = 0.01  # of the largest velocity: a motion that is no faster at an end is at rest there
 
 
 @dataclass(frozen=True, eq=False)

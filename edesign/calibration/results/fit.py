@@ -69,19 +69,20 @@ def resolved(model: FittedModel) -> FittedModel:
     z, bounds = fitted.z, ranges_of(fitted.model.parameters)
     for parts in _PARTS:
         finer: DamperProblem = replace(problem, parts=parts)  # type: ignore[type-var,assignment]
-        of, there = finer.model(model.effects), fitted.predicted
-        for chord in range(_CHORDS + 1):
+        of, there, far = finer.model(model.effects), fitted.predicted, list[float]()
+        while len(far) <= _CHORDS:
             (found,) = of.predict(values_of(of.parameters, z)[np.newaxis])
             if isinstance(found, PredictionError):
                 return model
             there = tuple(found)
             change = [w * (f - g) for w, f, g in zip(weights, there, fitted.predicted, strict=True)]
             step = np.linalg.lstsq(slopes, np.concatenate(change))[0]
-            if np.all(np.square(step) <= known):
+            far.append(float(np.max(np.square(step) / np.maximum(known, 1e-300), initial=0.0)))
+            if far[-1] <= 1.0:
                 break
-            if chord < _CHORDS:
+            if len(far) <= _CHORDS:
                 z = np.clip(z - step, *bounds)
-        if chord == 0:
+        if len(far) == 1 or far[-1] > far[0]:  # nothing to find, or not by these slopes
             break
         model = FittedModel(finer, model.effects, replace(fitted, model=of, z=z, predicted=there))
     return model

@@ -49,10 +49,8 @@ Owner = Literal["damper", "rig"]
 ConditionName = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]*$")]
 CAMPAIGN_FILE = "campaign.yaml"
 _WHAT, _BEGINS = "campaign file", "specimen:"
-_NEAR, _AWAY = (
-    1.5,
-    0.1,
-)  # largest steps between samples; of the largest displacement: tests from zero to zero say nothing
+_NEAR = 1.5  # largest steps between samples
+_AWAY = 0.1  # of the largest displacement: tests from zero to zero say nothing
 
 
 class CampaignError(FileProblems):

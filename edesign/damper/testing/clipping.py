@@ -12,7 +12,7 @@ from edesign.estimation.differences import difference_noise
 _SHORTEST = 3  # samples in a row that are equal to the last digit
 _BEYOND = 5.0  # standard deviations of the noise, by which the force would have gone beyond
 _SLOPE = 3  # samples before and after a row, by which it comes and goes
-MEASURED = 1e-5  # of the largest force: no measured channel has less noise, of 16 bits at least
+MEASURED = 1e-5  # of the largest force, or of the range: no measured channel has less noise, of 16 bits at least
 
 
 def clipped(force: np.ndarray) -> np.ndarray:
