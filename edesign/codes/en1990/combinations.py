@@ -5,13 +5,13 @@ A combination is a factor for each load case and one for each seismic component.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
 from edesign.codes.ec8.directions import DirectionRule, direction_factors
 from edesign.codes.ec8.national import ActionFactors, Psi
-from edesign.codes.en1990.actions import MOST_COMBINATIONS, Action, sets_of_actions, split_cases
+from edesign.codes.en1990.actions import MOST_COMBINATIONS, Action, relieving_alone, sets_of_actions, split_cases
 from edesign.codes.names import unknown
 from edesign.errors import InputError
 
@@ -52,6 +52,8 @@ def fundamental(
     factors: ActionFactors,
     expression: str = "6.10",
     favourable: bool = False,
+    relieving: Collection[str] = (),
+    patterns: Sequence[Collection[str]] = (),
 ) -> tuple[Combination, ...]:
     """Return the combinations for persistent and transient design situations.
 
@@ -64,6 +66,9 @@ def fundamental(
         expression: `6.10`, or `6.10a/b` for the pair.
         favourable: add combinations in which permanent actions are favourable (gamma_G,inf) and in which variable
             actions are absent.
+        relieving: cases that may relieve what others load, as wind: each also acts not at all, and with gamma_G,inf
+            without the other variable actions.
+        patterns: cases of each pattern of imposed loads, which also act without the others.
 
     Raises:
         InputError: a category or the expression is not known, no case is permanent, or there are too many combinations.
@@ -74,9 +79,10 @@ def fundamental(
     if expression not in ("6.10", _PAIR):
         raise unknown("expression of EN 1990", expression, ("6.10", _PAIR))
     permanent, variable = split_cases(cases, psi)
+    sets = list(sets_of_actions(variable, favourable, relieving, patterns))
 
     def rows() -> Iterator[Combination]:
-        for actions in sets_of_actions(variable, favourable):
+        for actions in sets:
             for G in (factors.G_sup, factors.G_inf) if favourable else (factors.G_sup,):
                 if expression == _PAIR:
                     static = dict.fromkeys(permanent, G)
@@ -91,11 +97,35 @@ def fundamental(
                     equation = "6.10" if expression == "6.10" else "6.10b"
                     yield _combination("fundamental", equation, static, leading)
 
-    return _distinct(rows(), favourable)
+    def relieved() -> Iterator[Combination]:
+        for actions in relieving_alone(sets, relieving):
+            for leading in actions:
+                static = dict.fromkeys(permanent, factors.G_inf)
+                for action in actions:
+                    for case in action:
+                        static[case] = factors.Q * (1.0 if action == leading else psi[cases[case]].psi_0)
+                yield _combination("fundamental", "6.10" if expression == "6.10" else "6.10b", static, leading)
+
+    optional = {*relieving, *(case for pattern in patterns for case in pattern)}
+    found = _distinct(rows(), favourable, optional)
+    return _joined(found, _distinct(relieved(), True))
+
+
+def stated(factors: Mapping[str, float]) -> Combination:
+    """Return a combination for persistent situations whose factors a user states.
+
+    Args:
+        factors: by name of the load case.
+    """
+    return _combination("fundamental", "stated", factors)
 
 
 def characteristic(
-    cases: Mapping[str, str], psi: Mapping[str, Psi], favourable: bool = False
+    cases: Mapping[str, str],
+    psi: Mapping[str, Psi],
+    favourable: bool = False,
+    relieving: Collection[str] = (),
+    patterns: Sequence[Collection[str]] = (),
 ) -> tuple[Combination, ...]:
     """Return the characteristic combinations, G + Q_1 + sum psi_0 Q_i; errors as `fundamental`.
 
@@ -103,10 +133,12 @@ def characteristic(
         cases: see `fundamental`.
         psi: see `fundamental`.
         favourable: see `fundamental`.
+        relieving: see `fundamental`.
+        patterns: see `fundamental`.
 
     Source: EN 1990:2002+A1, 6.5.3(2) a, Eq. 6.14b.
     """
-    return _serviceability("characteristic", "6.14b", cases, psi, favourable)
+    return _serviceability("characteristic", "6.14b", cases, psi, favourable, relieving, patterns)
 
 
 def frequent(cases: Mapping[str, str], psi: Mapping[str, Psi], favourable: bool = False) -> tuple[Combination, ...]:
@@ -138,7 +170,11 @@ def quasi_permanent(
 
 
 def seismic(
-    cases: Mapping[str, str], psi: Mapping[str, Psi], directions: str = "30 %", vertical: bool = False
+    cases: Mapping[str, str],
+    psi: Mapping[str, Psi],
+    directions: str = "30 %",
+    vertical: bool = False,
+    relieving: Collection[str] = (),
 ) -> tuple[Combination, ...]:
     """Return the combinations for the seismic design situation, G + sum psi_2 Q + A_Ed.
 
@@ -149,6 +185,7 @@ def seismic(
         psi: see `fundamental`.
         directions: `30 %` or `srss`.
         vertical: the vertical component acts too.
+        relieving: see `fundamental`.
 
     Returns:
         The combinations, each once.
@@ -161,17 +198,23 @@ def seismic(
     permanent, variable = split_cases(cases, psi)
 
     def rows() -> Iterator[Combination]:
-        for actions in sets_of_actions(variable, favourable=False):
+        for actions in sets_of_actions(variable, False, relieving):
             static = dict.fromkeys(permanent, 1.0)
             static |= {case: psi[cases[case]].psi_2 for action in actions for case in action}
             for factors in direction_factors(directions, vertical):
                 yield _combination("seismic", "6.12b", static, (), factors, directions)
 
-    return _distinct(rows(), favourable=False)
+    return _distinct(rows(), False, relieving)
 
 
 def _serviceability(
-    kind: CombinationSet, equation: str, cases: Mapping[str, str], psi: Mapping[str, Psi], favourable: bool
+    kind: CombinationSet,
+    equation: str,
+    cases: Mapping[str, str],
+    psi: Mapping[str, Psi],
+    favourable: bool,
+    relieving: Collection[str] = (),
+    patterns: Sequence[Collection[str]] = (),
 ) -> tuple[Combination, ...]:
     permanent, variable = split_cases(cases, psi)
 
@@ -181,14 +224,18 @@ def _serviceability(
             return 1.0 if leads else of_case.psi_0
         return of_case.psi_1 if leads and kind == "frequent" else of_case.psi_2
 
-    def rows() -> Iterator[Combination]:
-        for actions in sets_of_actions(variable, favourable):
+    sets = list(sets_of_actions(variable, favourable, relieving, patterns))
+
+    def rows(sets: Iterable[tuple[Action, ...]]) -> Iterator[Combination]:
+        for actions in sets:
             for leading in actions if actions and kind != "quasi-permanent" else ((),):
                 static = dict.fromkeys(permanent, 1.0)
                 static |= {case: factor(case, action == leading) for action in actions for case in action}
                 yield _combination(kind, equation, static, leading)
 
-    return _distinct(rows(), favourable)
+    optional = {*relieving, *(case for pattern in patterns for case in pattern)}
+    found = _distinct(rows(sets), favourable, optional)
+    return _joined(found, _distinct(rows(relieving_alone(sets, relieving)), True))
 
 
 def _combination(
@@ -200,7 +247,8 @@ def _combination(
     directions: str = "30 %",
 ) -> Combination:
     acting = {case: factor for case, factor in static.items() if factor != 0.0}
-    terms = [(factor, case) for case, factor in acting.items()]
+    # a case that acts the other way has the name of the first with a minus: G - 1.5 wind_x
+    terms = [(-factor, case[1:]) if case.startswith("-") else (factor, case) for case, factor in acting.items()]
     if directions == "srss":
         components = [name for name, factor in zip(_COMPONENTS, factors, strict=True) if factor]
         terms.append((max(factors, key=abs), f"SRSS({', '.join(components)})"))
@@ -221,7 +269,9 @@ def _sum(terms: Iterable[tuple[float, str]]) -> str:
     return text
 
 
-def _distinct(rows: Iterator[Combination], favourable: bool) -> tuple[Combination, ...]:
+def _distinct(
+    rows: Iterator[Combination], favourable: bool, optional: Collection[str] = ()
+) -> tuple[Combination, ...]:
     """The rows without repetitions, and unless actions may be favourable without those that another row covers."""
     kept: dict[str, Combination] = {}
     for row in rows:
@@ -234,12 +284,21 @@ def _distinct(rows: Iterator[Combination], favourable: bool) -> tuple[Combinatio
                 " [E-EN1990-02]"
             )
     found = tuple(kept.values())
-    return found if favourable else tuple(row for row in found if not any(_covers(other, row) for other in found))
+    return found if favourable else tuple(row for row in found if not any(_covers(o, row, optional) for o in found))
 
 
-def _covers(other: Combination, row: Combination) -> bool:
-    """Say whether each action of a row acts at least as much in the other one, and something more."""
+def _joined(rows: Sequence[Combination], more: Sequence[Combination]) -> tuple[Combination, ...]:
+    """The rows, and those of `more` that are not among them."""
+    names = {row.name for row in rows}
+    return (*rows, *(row for row in more if row.name not in names))
+
+
+def _covers(other: Combination, row: Combination, optional: Collection[str]) -> bool:
+    """Say whether each action of a row acts at least as much in the other one, and something more.
+
+    Of the optional cases the same ones must act: without them others have more effect.
+    """
     comparable = other.equation in (row.equation, _PAIR) and other.seismic == row.seismic
-    if other is row or not comparable:
+    if other is row or not comparable or any((case in other.static) != (case in row.static) for case in optional):
         return False
     return all(other.static.get(case, 0.0) >= factor for case, factor in row.static.items())
