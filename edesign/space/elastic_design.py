@@ -21,11 +21,19 @@ from edesign.project.building.building import Building, Steel
 from edesign.project.building.plausible import unusual
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.project.reading.problems import listed
-from edesign.space.analysis.actions import action_factors_of, psi_of, with_joined_cases
+from edesign.space.analysis.actions import (
+    action_factors_of,
+    patterns_of,
+    psi_of,
+    relieving_cases,
+    stated_combinations,
+    with_joined_cases,
+)
 from edesign.space.analysis.bracing import bracing
 from edesign.space.analysis.buckled_diagonals import single_diagonals, with_buckled_diagonals
 from edesign.space.analysis.deflections import DeflectionAnalysis, Deflections, deflection_criteria
 from edesign.space.analysis.effects import Effects, effects, largest
+from edesign.space.analysis.lateral import LateralCases, lateral_cases, static_effects, sway_limits
 from edesign.space.analysis.live_load_reduction import NOTE as LIVE_LOADS_REDUCED
 from edesign.space.analysis.live_load_reduction import LiveLoadReduction
 from edesign.space.analysis.response import (
@@ -33,7 +41,6 @@ from edesign.space.analysis.response import (
     SeismicResponse,
     StaticResponse,
     gravity_above,
-    static_response,
 )
 from edesign.space.analysis.storeys import Storeys, storeys
 from edesign.space.analysis.sway import SwayAnalysis, SwayStability, sway_criteria, sway_notes
@@ -87,6 +94,7 @@ class ElasticDesign:
         foundations: reactions of the supports and design actions on foundations.
         members: checks of all members.
         deflections: of the beams, under characteristic combinations.
+        lateral: load cases that act sideways, and the drifts of storeys under them and in characteristic combinations.
         criteria: rules for the whole building.
         notes: what an engineer should know, a sentence each.
     """
@@ -108,6 +116,7 @@ class ElasticDesign:
     foundations: Foundations
     members: MemberResults
     deflections: Deflections
+    lateral: LateralCases
     criteria: tuple[RuleCheck, ...]
     notes: tuple[str, ...]
 
@@ -180,7 +189,7 @@ class ElasticAnalysis:
         hazard = _hazard(building)
         self._national = national_of(hazard)
         progress("members, loads and masses")
-        self.frame = space_frame(building)
+        self.frame = space_frame(building, design=True)
         if not self.frame.node_mass.any():
             raise InputError(
                 f"{building.where('masses')}: masses: the seismic action needs masses; "
@@ -211,12 +220,16 @@ class ElasticAnalysis:
         psi = psi_of(building, self._national)
         directions = "srss" if self._design.directions == "srss" else "30 %"
         asked, factors = self._design.fundamental, action_factors_of(self._design, self._national)
+        partly = relieving_cases(joined), patterns_of(joined, building.loads.pattern)
         with telling_place(building, "loads"):
-            self.fundamental = fundamental(cases, psi, factors, asked.expression, asked.favourable)
-        self.seismic = seismic(cases, psi, directions)
-        self._characteristic = characteristic(cases, psi)
+            self.fundamental = fundamental(cases, psi, factors, asked.expression, asked.favourable, *partly)
+        self.fundamental += stated_combinations(self._design, joined)
+        self.seismic = seismic(cases, psi, directions, relieving=partly[0])
+        self._characteristic = characteristic(cases, psi, False, *partly)
         self.yielded = yielded_combinations(self.seismic[0], self.bracing, self._design)
-        self.vertical = vertical_combinations(seismic(cases, psi, directions, vertical=True)) if self._vertical else ()
+        self.vertical = (
+            vertical_combinations(seismic(cases, psi, directions, True, partly[0])) if self._vertical else ()
+        )
         wanted = building.loads.live_load_reduction
         self._reduction = LiveLoadReduction(building, self.frame, joined, psi) if wanted else None
         self._deflections = DeflectionAnalysis(self.frame, joined, "G", self._characteristic)
@@ -324,7 +337,7 @@ class ElasticAnalysis:
         if design.modes != "auto":
             modes = _first(modes, design.modes, building)
         self._progress("effects of the actions")
-        static = static_response(gravity_model, frame)
+        static = static_effects(gravity_model, model, frame, self.bracing, self.supports)
         analysis = ResponseSpectrumAnalysis(model, frame, self._elastic, design, self.bracing, self.supports)
         with telling_place(building, "design", "combination"):
             response = {
@@ -389,6 +402,8 @@ class ElasticAnalysis:
                 criteria += bracing_criteria(building, frame, Omega[axis])
         names = [member.name for member in frame.members]
         criteria += deflection_criteria(deflections, design.serviceability.beams, names)
+        lateral = lateral_cases(frame, static, self._characteristic)
+        criteria += sway_limits(lateral, design.serviceability.sway, self._characteristic)
         return ElasticDesign(
             building=building,
             frame=frame,
@@ -404,6 +419,7 @@ class ElasticAnalysis:
             overstrength=Omega,
             members=checked,
             deflections=deflections,
+            lateral=lateral,
             joints=tuple(joint for of_axis in of_joints.values() for joint in of_axis),
             panels=tuple(panel for of_axis in of_panels.values() for panel in of_axis),
             foundations=found,

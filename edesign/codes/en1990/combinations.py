@@ -269,9 +269,7 @@ def _sum(terms: Iterable[tuple[float, str]]) -> str:
     return text
 
 
-def _distinct(
-    rows: Iterator[Combination], favourable: bool, optional: Collection[str] = ()
-) -> tuple[Combination, ...]:
+def _distinct(rows: Iterator[Combination], favourable: bool, optional: Collection[str] = ()) -> tuple[Combination, ...]:
     """The rows without repetitions, and unless actions may be favourable without those that another row covers."""
     kept: dict[str, Combination] = {}
     for row in rows:

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from edesign.project.actions.loads import PartialLoad
 from edesign.project.building.building import Building
+from edesign.project.building.checks_cases import check_cases
 from edesign.project.building.checks_selections import Selections
 from edesign.project.building.layout import edges
 from edesign.project.building.loads import Areas, BeamLoad, Combination, NodeLoad, PerimeterLoad
 from edesign.project.building.names import BeamPlace, node_name
+from edesign.project.building.own_cases import CaseArea
 from edesign.project.building.places import Panels, panels_in
 from edesign.project.reading.problems import Keys, Problems, listed
 
@@ -23,12 +25,7 @@ def check_loads(building: Building, problems: Problems) -> None:
     for i, area in enumerate(loads.areas):
         keys: Keys = ("loads", "areas", i)
         _variable(problems, keys, area.Q, area.category)
-        if area.spans == "two_way" and area.secondary_beams:
-            problems.at_key(
-                (*keys, "secondary_beams"), "a floor on secondary beams spans one way: along `x` or `y` [E-LOAD-02]"
-            )
-        if check.floors(keys, area.floors) and check.bays((*keys, "bays"), area.bays):
-            _area(building, problems, keys, area)
+        _placed_area(building, problems, check, keys, area)
     for i, perimeter in enumerate(loads.perimeter):
         keys = ("loads", "perimeter", i)
         _variable(problems, keys, perimeter.Q, perimeter.category)
@@ -43,6 +40,10 @@ def check_loads(building: Building, problems: Problems) -> None:
         keys = ("loads", "nodes", i)
         _variable(problems, keys, node.Q, node.category)
         check.nodes(keys, node.at, node.floors)
+    for name, case in loads.cases.items():
+        for i, part in enumerate(case.areas):
+            _placed_area(building, problems, check, ("loads", "cases", name, "areas", i), part)
+    check_cases(building, problems)
     _categories(building, problems, ("loads", "gravity"), loads.gravity)
     _masses(building, problems, check)
 
@@ -86,7 +87,16 @@ def _partial(problems: Problems, keys: Keys, part: PartialLoad, widths: tuple[fl
         problems.at_value((*keys, "end"), f"{message} [E-VALUE-04]")
 
 
-def _area(building: Building, problems: Problems, keys: Keys, area: Areas) -> None:
+def _placed_area(building: Building, problems: Problems, check: Selections, keys: Keys, area: Areas | CaseArea) -> None:
+    if area.spans == "two_way" and area.secondary_beams:
+        problems.at_key(
+            (*keys, "secondary_beams"), "a floor on secondary beams spans one way: along `x` or `y` [E-LOAD-02]"
+        )
+    if check.floors(keys, area.floors) and check.bays((*keys, "bays"), area.bays):
+        _area(building, problems, keys, area)
+
+
+def _area(building: Building, problems: Problems, keys: Keys, area: Areas | CaseArea) -> None:
     layout = building.layout
     wanted = panels_in(area.bays, building.n_bays("x"), building.n_bays("y"))
     bare: set[BeamPlace] = set()
@@ -118,7 +128,9 @@ def _by_floor(places: set[BeamPlace]) -> list[BeamPlace]:
     return sorted(places, key=lambda place: (place.floor, place))
 
 
-def _carriers(area: Areas, around: tuple[BeamPlace, BeamPlace, BeamPlace, BeamPlace]) -> tuple[BeamPlace, ...]:
+def _carriers(
+    area: Areas | CaseArea, around: tuple[BeamPlace, BeamPlace, BeamPlace, BeamPlace]
+) -> tuple[BeamPlace, ...]:
     """Return the beams at the edges of a bay that carry its floor load.
 
     They are those across the span of the floor, and all four where it spans both ways or has secondary beams.

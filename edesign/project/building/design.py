@@ -62,16 +62,24 @@ def _modes(value: Any) -> Any:
     return value
 
 
-def _share_of_span(value: Any) -> Any:
+def _share_of(value: Any, whole: str) -> Any:
     if value == "none":
         return None
     if isinstance(value, str) and (match := re.fullmatch(r"1 ?/ ?([0-9]{1,6}(?:\.[0-9]+)?)", value)):
         value = 1.0 / float(match[1]) if float(match[1]) else "1/0"
     if isinstance(value, str) and ("/" in value or not value[:1].isdigit()):
         raise refuse(
-            f"`{value}`: a share of the span is needed: `1/250`, a ratio such as `0.4 %`, or `none` [E-VALUE-01]"
+            f"`{value}`: a share of the {whole} is needed: `1/250`, a ratio such as `0.4 %`, or `none` [E-VALUE-01]"
         )
     return parse_ratio(value, 0.0, 1.0, False, False)
+
+
+def _share_of_span(value: Any) -> Any:
+    return _share_of(value, "span")
+
+
+def _share_of_height(value: Any) -> Any:
+    return _share_of(value, "height")
 
 
 def _by_thickness(value: Any) -> Any:
@@ -147,6 +155,12 @@ ShareOfSpan = Annotated[
 ]
 
 
+_OVER_HEIGHT = text("share of the height", r"1 ?/ ?[0-9]{1,6}(?:\.[0-9]+)?", "1/300")
+ShareOfHeight = Annotated[
+    float | None, Written(_share_of_height, words_or(either(_OVER_HEIGHT, ratio(0.0, 1.0, False, False)), "none"))
+]
+
+
 class BeamDeflections(Model):
     """Limits of the deflection of beams over their span.
 
@@ -159,14 +173,28 @@ class BeamDeflections(Model):
     live: ShareOfSpan = None
 
 
+class HorizontalLimits(Model):
+    """Limits of horizontal displacements over heights, as under wind (EN 1990, A1.4.3, Figure A1.2).
+
+    Attributes:
+        storey: largest drift of a storey over its height; without the key no limit.
+        building: largest displacement of the roof over its height; without the key no limit.
+    """
+
+    storey: ShareOfHeight = None
+    building: ShareOfHeight = None
+
+
 class Serviceability(Model):
-    """Limits under characteristic combinations; those of the National Annex and the client (EN 1993-1-1, 7.2.1).
+    """Limits under characteristic combinations; those of the National Annex and the client (EN 1993-1-1, 7.2).
 
     Attributes:
         beams: limits of the deflection of beams.
+        sway: limits of horizontal displacements.
     """
 
     beams: BeamDeflections = BeamDeflections()
+    sway: HorizontalLimits = HorizontalLimits()
 
 
 class PartialFactors(Model):
@@ -196,12 +224,15 @@ class Fundamental(Model):
     Attributes:
         expression: Eq. 6.10 of EN 1990, or the less favourable of 6.10a and 6.10b.
         favourable: whether permanent loads are also taken as favourable without variable ones, as for uplift.
+        stated: more combinations, each with the factors of its load cases: `G`, `Q_B`, own ones; `-wind_x` of one
+            that is reversed.
     """
 
     expression: Annotated[
         Literal["6.10", "6.10a/b"], Written(_expression, given({"enum": ["6.10", 6.1, "6.10a/b"]}))
     ] = "6.10"
     favourable: bool = False
+    stated: tuple[Annotated[dict[str, Factor], Field(min_length=1)], ...] = ()
 
 
 class LengthFactors(Model):

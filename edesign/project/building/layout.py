@@ -20,6 +20,7 @@ from edesign.project.building.names import (
     frame_name,
     node_name,
 )
+from edesign.project.building.own_cases import Side, facing
 from edesign.project.building.places import panels_in, parse_column_lines
 from edesign.project.frame.spacing import Storeys
 from edesign.project.notation.frames import ALL_FRAMES
@@ -290,6 +291,26 @@ class Layout(Storeys):
             for frame in frames:
                 for bay in chosen.bays.numbers(1, self._building.n_bays(along)):
                     yield BracePlace(along, frame, bay, storey)
+
+    def faces(self, storey: int, side: Side) -> Iterator[tuple[tuple[ColumnLine, ColumnLine], float]]:
+        """Yield the column lines at both ends of each bay of a storey whose side looks into the open, and its width.
+
+        Args:
+            storey: counted from 1; it has the bays of the floor above it.
+            side: which way the side looks.
+        """
+        axis, inwards = facing(side)
+        widths = self._building.widths("y" if axis == 0 else "x")
+        panels = self.floors[storey]
+        for i, j in sorted(panels):
+            outside = (i - int(inwards), j) if axis == 0 else (i, j - int(inwards))
+            if outside in panels:
+                continue
+            at = (i, j)[axis] - (inwards > 0.0)
+            if axis == 0:
+                yield (ColumnLine(at, j - 1), ColumnLine(at, j)), widths[j - 1]
+            else:
+                yield (ColumnLine(i - 1, at), ColumnLine(i, at)), widths[i - 1]
 
     def bay_places(self, chosen: InBays) -> Iterator[BayPlace]:
         """Yield the places of what stands in bays, storey by storey, by the names of their frames."""

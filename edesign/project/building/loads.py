@@ -7,7 +7,9 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from edesign.project.actions.loads import PartialLoad, PointLoad
+from edesign.project.actions.national import Psi
 from edesign.project.building.members import BeamPlaces
+from edesign.project.building.own_cases import CaseName, LoadCaseOfFile
 from edesign.project.building.places import ALL_BAYS, ALL_COLUMN_LINES, Bays, ColumnLines
 from edesign.project.notation.selections import ALL_NUMBERS, Numbers
 from edesign.project.notation.units import AreaLoad as ForcePerArea
@@ -124,6 +126,10 @@ class Loads(Model):
         self_weight: whether members weigh, by their area and density.
         gravity: factors of the combination that acts before and during histories and pushovers.
         live_load_reduction: whether variable loads are reduced in persistent combinations (EN 1991-1-1, 6.3.1.2).
+        pattern: whether area loads Q of the categories A to G also act on every other bay alone, in the elastic design:
+            `chessboard`, or on strips, which alternate along x or along y, and from floor to floor.
+        cases: own load cases of the elastic design, by name.
+        psi: psi_0, psi_1 and psi_2 of own categories of these cases, by name of the category.
     """
 
     areas: tuple[Areas, ...] = ()
@@ -133,6 +139,9 @@ class Loads(Model):
     self_weight: bool = True
     gravity: Combination = Combination()
     live_load_reduction: bool = False
+    pattern: Literal["none", "chessboard", "strips_x", "strips_y"] = "none"
+    cases: dict[CaseName, LoadCaseOfFile] = Field(default_factory=dict)
+    psi: dict[CaseName, Psi] = Field(default_factory=dict)
 
     @property
     def items(self) -> tuple[Areas | PerimeterLoad | BeamLoad | NodeLoad, ...]:

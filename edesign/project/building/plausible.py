@@ -85,6 +85,15 @@ IMPOSED = Range(
     (LIGHTEST, 7.5e3),
     "EN 1991-1-1, Tables 6.2 to 6.10, have at most 7.5 kN/m^2 on areas",
 )
+WIND = Range(
+    "pressure on a facade",
+    AREA_LOAD,
+    "kN/m^2",
+    (LIGHTEST, 10e3),
+    "10 kN/m^2 is the pressure of a gust of 126 m/s, and none stronger was measured",
+    (LIGHTEST, 3e3),
+    "3 kN/m^2 is the pressure of a gust of 69 m/s",
+)
 LINE = Range(
     "load along a beam",
     LINE_LOAD,
@@ -225,6 +234,10 @@ def _values(building: Building) -> Iterator[tuple[Keys, float, Range]]:
                 if value:
                     yield ("loads", part, i, key), abs(value), bounds
     yield from _points(building)
+    bounds_of = {"areas": AREA, "beams": LINE, "nodes": POINT, "floors": POINT, "facades": WIND}
+    for name, case in building.loads.cases.items():
+        for part, i, key, value in case.values():
+            yield ("loads", "cases", name, part, i, key), abs(value), bounds_of[part]
 
 
 def _points(building: Building) -> Iterator[tuple[Keys, float, Range]]:

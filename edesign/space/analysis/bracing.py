@@ -89,6 +89,34 @@ class Bracing:
             found[self.columns, :, _N] = np.max(each, axis=0)[:, None]
         return found
 
+    def under_static(self, internal: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return the internal forces of static cases with what braces bring to columns and beams, with their sign.
+
+        Of braces that count in tension those in tension have the force of both.
+
+        Args:
+            internal: (c, n_members, n_stations, 6) of the linear model.
+
+        Returns:
+            In the shape of `internal`, N and N m; the force of each brace beyond that of the linear model, (c, b) N.
+        """
+        force = internal[:, self.braces, 0, _N]
+        both = (self.share == 1.0).all(axis=0)
+        acting = np.where(both, force, np.maximum(force, 0.0) / TENSION_ONLY_SHARE)
+        beyond = acting - force
+        if not self.braces.size:
+            return internal, beyond
+        found = internal.copy()
+        N = found[..., _N]
+        N[:, self.braces] = acting[:, :, None]
+        N[:, self.columns] += (beyond @ self.to_columns.T)[:, :, None]
+        if self.collectors.size:
+            shape = len(internal), self.collectors.size, -1
+            more = acting @ self.to_collectors.T
+            more -= np.repeat(self.in_model, internal.shape[2]) * (force @ self.to_collectors.T)
+            N[:, self.collectors] += more.reshape(shape)
+        return found, beyond
+
     def beyond_the_model(self) -> list[np.ndarray]:
         """Return the force of each brace beyond that of the linear model, over it, (b,), by senses along x and y."""
         if not (self.share != 1.0).any():

@@ -82,11 +82,6 @@ class SeismicResponse:
     reactions: np.ndarray
 
 
-def static_response(model: SpaceModel, frame: SpaceFrame) -> StaticResponse:
-    """Return the effects of all load cases of a frame."""
-    return static_cases(model, tuple(frame.cases.values()))
-
-
 @dataclass(frozen=True)
 class ResponseSpectrumAnalysis:
     """Modal response spectrum analysis of a frame, EN 1998-1:2004, 4.3.3.3.

@@ -75,10 +75,12 @@ class LoadCase:
 
     Attributes:
         name: `G`, `Q`.
-        category: `permanent`, or the category of use of EN 1991-1-1 (A to H) or `snow`, `wind`.
+        category: `permanent`, the category of use of EN 1991-1-1 (A to H), `snow`, `wind`, or one of the file.
         nodal: (n_nodes, 6) forces and moments on nodes, global, N and N m.
         uniform: (n_members, 3) force a length of the member, global, N/m.
         point_member, point_position, point_force: (p,) member, (p,) place as a fraction of its length, (p, 3) N.
+        own: whether it is one of `loads.cases`, which belong to the elastic design alone and bring no masses.
+        relieving: whether it may relieve what others load, as it acts sideways or upwards.
     """
 
     name: str
@@ -88,6 +90,13 @@ class LoadCase:
     point_member: np.ndarray
     point_position: np.ndarray
     point_force: np.ndarray
+    own: bool = False
+    relieving: bool = False
+
+    @property
+    def sideways(self) -> bool:
+        """Whether it has horizontal forces, or moments about the vertical."""
+        return bool(self.nodal[:, [0, 1, 5]].any())
 
 
 @dataclass(frozen=True)

@@ -15,6 +15,7 @@ from edesign.project.building.layout import Diaphragm, ways
 from edesign.project.building.members import BeamRun, BraceRun, End
 from edesign.project.building.names import BeamPlace, BracePlace, ColumnLine, column_name, frame_name, node_name
 from edesign.project.frame.foundations import FootingSupport
+from edesign.space.structure.design_cases import design_cases
 from edesign.space.structure.frame import NO_DIAPHRAGM, RIGID, Member, SpaceFrame
 from edesign.space.structure.load_cases import load_cases
 from edesign.space.structure.masses import node_masses
@@ -22,7 +23,7 @@ from edesign.space.structure.masses import node_masses
 X, Y, Z = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
 
 
-def space_frame(building: Building) -> SpaceFrame:
+def space_frame(building: Building, design: bool = False) -> SpaceFrame:
     """Return a building as nodes, members, load cases and masses.
 
     Load cases are `G`, the permanent loads of the file; `self_weight`, that of the members, if the file wants it; and
@@ -31,6 +32,7 @@ def space_frame(building: Building) -> SpaceFrame:
 
     Args:
         building: from `load_building`.
+        design: whether load cases are those of the elastic design, with its own ones and its patterns of loads.
 
     Raises:
         InputError: a section is not known, loads upwards would give a negative mass, or a footing has no stiffness.
@@ -56,7 +58,7 @@ def space_frame(building: Building) -> SpaceFrame:
         diaphragms=tuple(layout.diaphragms),
         held=max(building.held_floors, default=0),
     )
-    loaded = replace(bare, cases=load_cases(building, bare))
+    loaded = replace(bare, cases=(design_cases if design else load_cases)(building, bare))
     return replace(loaded, node_mass=node_masses(building, loaded))
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from dataclasses import dataclass, field
+from typing import Literal
 
 import numpy as np
 
@@ -11,17 +12,22 @@ from edesign.project.building.building import Building
 from edesign.project.building.layout import edges
 from edesign.project.building.loads import Areas, BeamLoad, NodeLoad, PerimeterLoad
 from edesign.project.building.names import BeamPlace, node_name
+from edesign.project.building.own_cases import CaseArea
 from edesign.project.building.places import panels_in
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.space.structure.area_loads import BeamShare, bay_shares, part_share
 from edesign.space.structure.frame import LoadCase, SpaceFrame
 
 PERMANENT, SELF_WEIGHT = "G", "self_weight"
+PATTERNED = tuple("ABCDEFG")
+"""Categories of imposed loads that may act on parts of floors (EN 1991-1-1, 6.2.1(1))."""
 Load = Areas | PerimeterLoad | BeamLoad | NodeLoad
+_ALTERNATES = {"chessboard": (1, 1), "strips_x": (1, 0), "strips_y": (0, 1)}
+"""Whether loaded and bare bays alternate along x and along y; they always do from floor to floor."""
 
 
 @dataclass
-class _Sum:
+class LoadSum:
     """Loads of one case that add up, downwards: on whole beams and on nodes."""
 
     category: str
@@ -37,26 +43,31 @@ class _Sum:
             self.points[place, position] += force
 
 
-def load_cases(building: Building, frame: SpaceFrame) -> dict[str, LoadCase]:
+def load_cases(building: Building, frame: SpaceFrame, pattern: bool = False) -> dict[str, LoadCase]:
     """Return the load cases of a building by name: `G`, `self_weight`, and `Q_B` and so on.
 
     Args:
         building: from `load_building`.
+        pattern: whether area loads of the categories A to G are two cases, `Q_B1` and `Q_B2`, as `loads.pattern` says.
 
     Raises:
         InputError: a section is not known.
     """
-    sums = {PERMANENT: _Sum("permanent")}
+    sums = {PERMANENT: LoadSum("permanent")}
     for load in building.loads.items:
         if load.G != 0.0:
             _add(building, sums[PERMANENT], load, load.G)
-        if load.Q != 0.0 and load.category is not None:
-            case = sums.setdefault(_live_case(load.category), _Sum(load.category))
+        if pattern and load.Q != 0.0 and isinstance(load, Areas) and load.category in PATTERNED:
+            for half in (1, 2):
+                case = sums.setdefault(f"{_live_case(load.category)}{half}", LoadSum(load.category))
+                add_area(building, case, load, load.Q, half)
+        elif load.Q != 0.0 and load.category is not None:
+            case = sums.setdefault(_live_case(load.category), LoadSum(load.category))
             _add(building, case, load, load.Q)
         if isinstance(load, BeamLoad):
             _add_points(building, sums, load)
             _add_parts(building, sums, load)
-    cases = {name: _case(name, found, frame) for name, found in sums.items()}
+    cases = {name: case_of(name, found, frame) for name, found in sums.items()}
     if building.loads.self_weight:
         cases[SELF_WEIGHT] = self_weight(building, frame)
     return {name: cases[name] for name in sorted(cases, key=lambda name: (name not in (PERMANENT, SELF_WEIGHT), name))}
@@ -89,10 +100,10 @@ def on_nodes(frame: SpaceFrame, case: LoadCase, but: np.ndarray | None = None) -
     return found
 
 
-def _add(building: Building, case: _Sum, load: Load, value: float) -> None:
+def _add(building: Building, case: LoadSum, load: Load, value: float) -> None:
     layout = building.layout
     if isinstance(load, Areas):
-        _add_area(building, case, load, value)
+        add_area(building, case, load, value)
     elif isinstance(load, PerimeterLoad):
         for floor in load.floors.numbers(1, building.n_storeys):
             for place, count in layout.floor_edges[floor].items():
@@ -109,7 +120,7 @@ def _add(building: Building, case: _Sum, load: Load, value: float) -> None:
                     case.nodes[node_name(line, floor)] += value
 
 
-def _add_points(building: Building, sums: dict[str, _Sum], load: BeamLoad) -> None:
+def _add_points(building: Building, sums: dict[str, LoadSum], load: BeamLoad) -> None:
     """Add the forces at places along beams."""
     places = [place for place in building.layout.beam_places(load) if place in building.layout.beam_at]
     for point in load.points:
@@ -117,13 +128,13 @@ def _add_points(building: Building, sums: dict[str, _Sum], load: BeamLoad) -> No
             if value == 0.0 or category is None:
                 continue
             name = PERMANENT if category == "permanent" else _live_case(category)
-            case = sums.setdefault(name, _Sum(category))
+            case = sums.setdefault(name, LoadSum(category))
             for place in places:
                 width = building.widths(place.along)[place.bay - 1]
                 case.add(place, BeamShare(0.0, tuple((at.share(width), value) for at in point.at)))
 
 
-def _add_parts(building: Building, sums: dict[str, _Sum], load: BeamLoad) -> None:
+def _add_parts(building: Building, sums: dict[str, LoadSum], load: BeamLoad) -> None:
     """Add the loads on parts of beams; of a beam in two halves each half has its own part."""
     layout = building.layout
     for part in load.partial:
@@ -136,25 +147,38 @@ def _add_parts(building: Building, sums: dict[str, _Sum], load: BeamLoad) -> Non
             for values, category in ((part.G, "permanent"), (part.Q, load.category)):
                 if not any(values) or category is None:
                     continue
-                case = sums.setdefault(PERMANENT if category == "permanent" else _live_case(category), _Sum(category))
+                case = sums.setdefault(
+                    PERMANENT if category == "permanent" else _live_case(category), LoadSum(category)
+                )
                 at_ends = np.interp(ends, [start, end], values)
                 for low, high, *loads in zip(ends, ends[1:], at_ends, at_ends[1:], strict=False):
                     case.add(place, part_share(float(low), float(high), width, (float(loads[0]), float(loads[1]))))
 
 
-def _add_area(building: Building, case: _Sum, load: Areas, value: float) -> None:
+def add_area(
+    building: Building, case: LoadSum, load: Areas | CaseArea, value: float, half: Literal[0, 1, 2] = 0
+) -> None:
+    """Add what a load on bays brings to beams.
+
+    Args:
+        value: N/m2, downwards.
+        half: 1 or 2: of the bays alone that `loads.pattern` puts into this half; 0: of all.
+    """
     widths_x, widths_y = building.widths("x"), building.widths("y")
     wanted = panels_in(load.bays, len(widths_x), len(widths_y))
+    of_x, of_y = _ALTERNATES.get(building.loads.pattern, (0, 0))
     for floor in load.floors.numbers(1, building.n_storeys):
         for panel in sorted(wanted & building.layout.floors[floor]):
+            if half and (panel[0] * of_x + panel[1] * of_y + floor) % 2 != half - 1:
+                continue
             width_x, width_y = widths_x[panel[0] - 1], widths_y[panel[1] - 1]
             shares = bay_shares(value, width_x, width_y, load.spans, load.secondary_beams)
             for place in edges(panel, floor):
                 case.add(place, shares.along_x if place.along == "x" else shares.along_y)
 
 
-def _case(name: str, loads: _Sum, frame: SpaceFrame) -> LoadCase:
-    """Loads on members and nodes; those of a beam in two halves go to the halves and to the node between them."""
+def case_of(name: str, loads: LoadSum, frame: SpaceFrame) -> LoadCase:
+    """Return a sum of loads as a case; those of a beam in two halves go to these and to the node between them."""
     nodes = {node: i for i, node in enumerate(frame.node_names)}
     members = {member.name: i for i, member in enumerate(frame.members)}
     nodal, uniform = np.zeros((len(nodes), 6)), np.zeros((len(members), 3))

@@ -129,6 +129,8 @@ def node_masses(building: Building, frame: SpaceFrame) -> np.ndarray:
                 found[nodes[name]] = given.mass
         return found
     for case in frame.cases.values():
+        if case.own:
+            continue
         permanent = case.category == "permanent"
         factor = masses.from_loads.G if permanent else masses.phi * psi_2(building, case.category)
         found -= factor * on_nodes(frame, case)[:, 2] / STANDARD_GRAVITY
