@@ -40,6 +40,8 @@ def groups(design: ElasticDesign) -> Iterator[tuple[str, Group]]:
     if design.members.free_beams is not None:
         yield f"{PLACE}/free_beams", _free_beams(design, design.members.free_beams)
     yield f"{PLACE}/deflections", _deflections(design)
+    if design.lateral.cases:
+        yield f"{PLACE}/lateral", _lateral(design)
     yield f"{PLACE}/forces", _forces(design)
     for name, group in basis(design):
         yield f"{PLACE}/{name}", group
@@ -286,6 +288,27 @@ def _deflections(design: ElasticDesign) -> Group:
     group.add("combination", ("beam",), number, "1", "number of the combination of `total`")
     limits = design_of(design.building).serviceability.beams
     for name, limit in (("total", limits.total), ("live", limits.live)):
+        if limit is not None:
+            group.attributes[f"limit_{name}"] = limit
+    return group
+
+
+def _lateral(design: ElasticDesign) -> Group:
+    of = design.lateral
+    group = _numbered("storey", of.height.size, "storey, from below")
+    group.coords["case"] = Variable(("case",), np.array(of.cases), "", "load case")
+    group.coords["axis"] = Variable(("axis",), np.array(AXES), "", "direction")
+    group.add("height", ("storey",), of.height, "m", "storey height")
+    group.add("force", ("case", "axis", "storey"), of.force, "N", "force on the floor above the storey")
+    group.add("drift", ("case", "axis", "storey"), of.drift, "m", "largest drift of the columns of the storey")
+    text = "largest drift of the columns of the storey in characteristic combinations"
+    group.add("combined", ("axis", "storey"), of.combined, "m", text)
+    number = len(design.members.rows) + 1 + of.combination
+    group.add("combination", ("axis", "storey"), number, "1", "number of the combination of `combined`")
+    group.add("top", ("axis",), of.top, "m", "largest displacement of the roof in characteristic combinations")
+    group.attributes["total_height_m"] = of.total_height
+    limits = design_of(design.building).serviceability.sway
+    for name, limit in (("storey", limits.storey), ("building", limits.building)):
         if limit is not None:
             group.attributes[f"limit_{name}"] = limit
     return group

@@ -21,13 +21,14 @@ from edesign.project.reading.problems import did_you_mean, listed
 from edesign.space.elastic_design import ElasticAnalysis
 from edesign.space.joint_stiffness import unusual_ends
 from edesign.space.nonlinear.panel_zones import panels_of
-from edesign.space.structure.frame import SpaceFrame
+from edesign.space.structure.frame import AXES, SpaceFrame
 from edesign.space.structure.geometry import space_frame
 from edesign.space.structure.load_cases import on_nodes
 from edesign.space.structure.masses import floor_masses
 from edesign.space.structure.steel_by_thickness import with_steel_by_thickness
 
 R = TypeVar("R")
+ELASTIC_ALONE = "own load cases act in the elastic design alone; histories, pushovers and modes have `loads.gravity`"
 
 
 def check_building(building: Building) -> dict[str, str]:
@@ -52,7 +53,7 @@ def check_building(building: Building) -> dict[str, str]:
         ElasticAnalysis(building)
     made = with_steel_by_thickness(building)
     panels_of(made)
-    frame = space_frame(made)
+    frame = space_frame(made, design=True)
     warnings = building_warnings(building)
     return {
         "title": building.title,
@@ -90,7 +91,12 @@ def _members(frame: SpaceFrame) -> str:
 
 def _loads(frame: SpaceFrame) -> str:
     """Total load of each case by floors, equal floors in one line, and in all."""
-    loads = {name: np.round(values / 1e3, 6) for name, values in floor_loads(frame).items()}
+    loads = {name: np.round(values / 1e3, 6) for name, values in floor_loads(frame).items() if name[0] != "-"}
+    for name, case in frame.cases.items():
+        for number, axis in enumerate(AXES):
+            if name[0] != "-" and case.nodal[:, number].any():
+                sums = np.bincount(frame.level_of_nodes, case.nodal[:, number], minlength=frame.n_floors + 1)
+                loads[f"{name} along {axis}"] = np.round(sums / 1e3, 6)
     rows = [tuple(values[floor] for values in loads.values()) for floor in range(1, frame.n_floors + 1)]
     names = list(loads)
     lines = [f"{floors}: {_sums(names, row)}" for floors, row in _floors(rows)]
@@ -161,6 +167,8 @@ def building_warnings(building: Building) -> list[str]:
         if (below := at.get((line, storey - 1))) is not None
         and section_of(building, run.section).A > section_of(building, below.section).A
     ]
+    if building.loads.cases and (building.analyses or building.design is None):
+        found.append(f"{building.where('loads', 'cases')}: {ELASTIC_ALONE}")
     if larger:
         found.append(f"columns are larger than those below them: {listed(larger)}")
     return found

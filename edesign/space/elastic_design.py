@@ -461,6 +461,12 @@ class ElasticAnalysis:
                 f"E I of {listed(stiffer, 3)} is multiplied by their `stiffness_factor`; their resistance is that of "
                 "the steel section alone"
             )
+        psi = psi_of(self.building, self._national)
+        if lasting := [name for name, case in frame.cases.items() if case.own and psi[case.category].psi_2 > 0.0]:
+            found.append(
+                f"{listed(lasting)} act with psi_2 beside the seismic action, and bring no masses: those are under "
+                "`masses.added`"
+            )
         weight = float(frame.node_mass.sum()) * STANDARD_GRAVITY
         loads = float(gravity_above(frame, self.seismic[0].static)[0])
         if weight > loads * (1.0 + ROUNDING):  # masses from loads weigh at most as much as these

@@ -61,6 +61,18 @@ loads:
   nodes: [{at: A1-B1, floors: 3, G: 5 kN, Q: 2 kN, category: snow}]
   self_weight: true
   live_load_reduction: true
+  cases:
+    wind_x:
+      category: wind
+      reversed: true
+      facades: [{side: x-, storeys: all, pressure: 0.7 kN/m^2}]
+      floors: [{floors: 2, x: 4 kN, y: 1 kN, at: {x: 5 m, y: 4 m}}]
+    crane:
+      category: crane
+      areas: [{floors: 1, bays: {x: 1, y: all}, q: 0.2 kN/m^2, spans: x, secondary_beams: 0}]
+      beams: [{along: y, frames: A, bays: 1, floors: 1, q: 1 kN/m}]
+      nodes: [{at: A1, floors: 1, x: 1 kN, y: 1 kN, down: 5 kN}]
+  psi: {crane: [1, 0.9, 0.5]}
 masses:
   from_loads: {G: 1.0, Q: {B: 0.3, snow: 0}}
   added: [{at: A1, floors: 2, mass: 4 t}]
@@ -125,8 +137,8 @@ design:
   second_order: amplify
   displacement: elastic_cap
   drift: {limit: none_attached, nu: 0.5}
-  serviceability: {beams: {total: 1/200, live: 1/300}}
-  fundamental: {expression: 6.10a/b, favourable: true}
+  serviceability: {beams: {total: 1/200, live: 1/300}, sway: {storey: 1/300, building: 1/500}}
+  fundamental: {expression: 6.10a/b, favourable: true, stated: [{G: 1.2, Q_B: 0.5, wind_x: 1.1}]}
   partial_factors: {M0: 1.0, M1: 1.0, G: 1.35, Q: 1.5}
   overstrength: 1.25
   members:
@@ -155,6 +167,7 @@ OTHER_FORMS = (
         "from_loads: {G: 1.0, Q: {B: 0.3, snow: 0}}\n  added: [{at: A1, floors: 2, mass: 4 t}]\n  phi: 0.8",
         "given: [{at: all, floors: 1-3, mass: 9 t}]\n  directions: both",
     )
+    .replace("  live_load_reduction: true\n", "  pattern: chessboard\n")
     .replace("loads:\n  areas:", "loads:\n  gravity: {G: 1.0, Q: {B: 0.3, snow: 0}}\n  areas:")
     .replace("country: france\n  zone: 4\n", "a_gR: 1.6 m/s^2\n")
     .replace(

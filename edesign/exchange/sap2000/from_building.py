@@ -32,7 +32,7 @@ from edesign.space.structure.masses import psi_2
 from edesign.space.structure.model import TENSION_ONLY_SHARE
 
 _AXES: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
-_TYPES = {"permanent": "Dead", "snow": "Snow", "H": "Roof Live"}
+_TYPES = {"permanent": "Dead", "snow": "Snow", "H": "Roof Live", "wind": "Wind"}
 """Design types of load patterns by the categories of loads; all others are Live."""
 
 
@@ -45,7 +45,7 @@ def from_building(building: Building) -> tuple[Sap2000Model, list[str]]:
     Raises:
         InputError: a section is not known, or loads upwards would give a negative mass.
     """
-    space = space_frame(building)
+    space = space_frame(building, design=True)
     names = space.node_names
     model = Sap2000Model(building.title)
     model.joints = {name: _vector(place) for name, place in zip(names, space.coordinates, strict=True)}
@@ -147,10 +147,13 @@ def _angle(member: Member, start: Vector, end: Vector) -> float:
 def _loads(building: Building, space: SpaceFrame, model: Sap2000Model) -> None:
     factors = {}
     for name, case in space.cases.items():
+        if name.startswith("-"):  # a case that acts the other way is the same with the factor -1
+            continue
         own_weight = name == SELF_WEIGHT
         kind = _TYPES.get(case.category, "Live")
         model.patterns[name] = LoadPattern(name, kind, 1.0 if own_weight else 0.0)
-        factors[name] = 1.0 if case.category == "permanent" else psi_2(building, case.category)
+        if not case.own:
+            factors[name] = 1.0 if case.category == "permanent" else psi_2(building, case.category)
         if own_weight:
             continue
         for node, forces in zip(space.node_names, case.nodal, strict=True):

@@ -118,7 +118,9 @@ def materials_table(results: BuildingResults) -> Table:
 def floors_table(results: BuildingResults) -> Table:
     """Return load and mass of each floor, from the roof down, and of the building."""
     cases = results.values("floors", "case")
-    more = [col(str(case), KN, part("load", k), negligible=0.5) for k, case in enumerate(cases)]
+    lifted = np.abs(results.values("floors", "load")).sum(axis=1) > 0.5  # wind on facades brings nothing down
+    shown = [(k, str(case)) for k, case in enumerate(cases) if lifted[k] and not str(case).startswith("-")]
+    more = [col(case, KN, part("load", k), negligible=0.5) for k, case in shown]
     floors: list[dict[str, Any]] = [*reversed(results.rows("floors", "floor"))]
     loads, mass = results.values("floors", "load"), results.values("floors", "mass")
     for floor in floors:

@@ -12,8 +12,8 @@ from edesign.report.tables.unit import MM, Unit
 from edesign.space.archived import PLACE, SELECTION
 
 KNOWN = {
-    *("combinations", "criteria", "deflections", "floors", "forces", "foundations", "joints", "materials", "members"),
-    *("modes", "nodes", "overstrength_x", "overstrength_y", "spectrum", "storeys_x", "storeys_y", SELECTION),
+    *("combinations", "criteria", "deflections", "floors", "forces", "foundations", "joints", "lateral", "materials"),
+    *("members", "modes", "nodes", "overstrength_x", "overstrength_y", "spectrum", "storeys_x", "storeys_y", SELECTION),
 }
 """Groups that the other tables and figures show."""
 ROWS = 100

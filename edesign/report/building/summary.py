@@ -6,6 +6,7 @@ from edesign.archive.reader import Archive
 from edesign.report.building.checks import worked_data, worked_worst
 from edesign.report.building.deflection_table import worst_beams
 from edesign.report.building.foundation_table import foundation_summary
+from edesign.report.building.lateral_tables import lateral_summary
 from edesign.report.building.results import BuildingResults
 from edesign.report.tables.number import finite
 from edesign.space.archived import SELECTION
@@ -57,6 +58,7 @@ def building_summary(archive: Archive) -> dict[str, object]:
         }
         for worst in worst_beams(results.group("deflections"))
     ]
+    found["lateral_cases"] = lateral_summary(results)
     found["foundations"] = foundation_summary(results.group("foundations"))
     found |= _basis(results)
     return found

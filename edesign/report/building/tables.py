@@ -18,6 +18,7 @@ from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.report.building.check_table import check_words, use
 from edesign.report.building.deflection_table import deflection_table
 from edesign.report.building.foundation_table import foundation_table, reaction_table
+from edesign.report.building.lateral_tables import drifts_table, lateral_cases_table
 from edesign.report.building.results import MET, NOT_MET, BuildingResults, Row
 from edesign.report.tables.cell import Value
 from edesign.report.tables.column import bounded, col, count, formula, text, verdict
@@ -156,6 +157,7 @@ def building_tables(archive: Archive) -> list[Table]:
     """Return the tables of a building: modes, base shear, storeys, rules, members by group, combinations, verdict.
 
     Of a damaged archive, or one of another version, they are those whose groups are there; the others are named.
+    Tables without rows, as of own load cases, are left out.
 
     Raises:
         ArchiveError: nothing of the building is there.
@@ -175,7 +177,8 @@ def _made(archive: Archive, makes: tuple[Make, ...]) -> list[Table]:
     missing: list[str] = []
     for make in makes:
         with or_missing(missing):
-            tables.append(make(results))
+            table = make(results)
+            tables += [table] if table.rows or not table.columns else []
     return [*tables, MISSING.of((), notes=missing)] if missing else tables
 
 
@@ -354,6 +357,8 @@ TABLES: tuple[Make, ...] = (
     criteria_table,
     groups_table,
     deflection_table,
+    lateral_cases_table,
+    drifts_table,
     reaction_table,
     foundation_table,
     combinations_table,

@@ -51,7 +51,6 @@ def patterns_of(cases: Mapping[str, LoadCase], pattern: str) -> tuple[frozenset[
 
     Args:
         cases: load cases by name, those of halves of the bays with names that end in 1 and 2.
-        pattern: of the file.
     """
     if pattern == "none":
         return ()

@@ -64,8 +64,6 @@ def static_effects(
     Args:
         gravity_model: in which braces carry nothing.
         model: that resists horizontal forces.
-        bracing: what braces bring to columns and beams.
-        supports: of the frame.
     """
     cases = tuple(frame.cases.values())
     sideways = [number for number, case in enumerate(cases) if case.sideways]
@@ -109,7 +107,6 @@ def lateral_cases(frame: SpaceFrame, static: StaticResponse, combinations: Seque
 
     Args:
         static: effects of the load cases.
-        combinations: characteristic ones.
     """
     start, end = (nodes[frame.columns] for nodes in frame.ends)
     moved = static.displacements[:, end, :2] - static.displacements[:, start, :2]

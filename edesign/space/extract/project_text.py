@@ -55,9 +55,10 @@ def left_out(building: Building) -> str:
         building: from `load_building`.
     """
     of = building.dampers
-    if of is None:
-        return ""
-    has = {"dampers": of.devices, "tuned masses": of.attachments, "isolators": of.isolation}
+    has: dict[str, object] = {}
+    if of is not None:
+        has = {"dampers": of.devices, "tuned masses": of.attachments, "isolators": of.isolation}
+    has["own load cases"] = building.loads.cases
     return ", ".join(name for name, there in has.items() if there)
 
 

@@ -16,6 +16,7 @@ from edesign.codes.ec8.strong_column import LEAST_RATIO
 from edesign.codes.rule_check import RuleCheck
 from edesign.project.building.building import Building
 from edesign.space.analysis.deflections import LIMITED
+from edesign.space.analysis.lateral import SWAY_LIMITED
 from edesign.space.analysis.sway import STABLE
 from edesign.space.checks.rules import brace_slenderness
 from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign
@@ -207,9 +208,11 @@ def searched_clauses(analysis: ElasticAnalysis) -> frozenset[str]:
     those of the file whatever its sections.
     """
     found = {CLASS, COLUMN_BASES, PANELS, TORSION, THETA, DRIFT, JOINTS, HOMOGENEOUS, STABLE, *SLENDER}
-    limits = design_of(analysis.building).serviceability.beams
-    if limits.total is not None or limits.live is not None:
+    limits = design_of(analysis.building).serviceability
+    if limits.beams.total is not None or limits.beams.live is not None:
         found.add(LIMITED)
+    if limits.sway.storey is not None or limits.sway.building is not None:
+        found.add(SWAY_LIMITED)
     of_storeys: dict[tuple[str, int], set[str]] = {}
     for axis in AXES:
         for number in analysis.dissipative[axis]:
@@ -232,6 +235,11 @@ def utilisations(design: ElasticDesign, clauses: frozenset[str]) -> Mapping[str,
     for name, limit in (("total", block.serviceability.beams.total), ("live", block.serviceability.beams.live)):
         if limit is not None:
             found[f"{LIMITED} {name}"] = getattr(design.deflections, name) / design.deflections.span / limit
+    of, sway = design.lateral, block.serviceability.sway
+    if sway.storey is not None:
+        found[f"{SWAY_LIMITED} storey"] = (of.combined / of.height / sway.storey).ravel()
+    if sway.building is not None:
+        found[f"{SWAY_LIMITED} building"] = of.top / of.total_height / sway.building
     for number, axis in enumerate(AXES):
         if block.imperfections == "sway":
             found[f"{STABLE} {axis}"] = AMPLIFICATION / design.sway.alpha_cr[:, [number, 2]].ravel()

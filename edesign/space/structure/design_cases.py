@@ -22,7 +22,6 @@ def design_cases(building: Building, frame: SpaceFrame) -> dict[str, LoadCase]:
 
     Args:
         building: from `load_building`.
-        frame: its nodes and members.
     """
     found = load_cases(building, frame, building.loads.pattern != "none")
     for name, case, factor in cases_of(building.loads.cases):

@@ -22,6 +22,7 @@ from edesign.report.building.deflection_table import deflection_table
 from edesign.report.building.elevations import elevations
 from edesign.report.building.facts import building_rows, design_rows
 from edesign.report.building.foundation_table import foundation_table, reaction_table
+from edesign.report.building.lateral_tables import drifts_table, lateral_cases_table
 from edesign.report.building.model_figures import archived_building_model
 from edesign.report.building.other_tables import other_tables
 from edesign.report.building.results import BuildingResults
@@ -167,7 +168,12 @@ _SECTIONS: tuple[tuple[str, str, tuple[Parts, ...]], ...] = (
     (
         "storeys",
         "Storeys",
-        (_pictures(storey_curves), *(_table(partial(storeys_table, axis=axis)) for axis in AXES)),
+        (
+            _pictures(storey_curves),
+            *(_table(partial(storeys_table, axis=axis)) for axis in AXES),
+            _table(lateral_cases_table),
+            _table(drifts_table),
+        ),
     ),
     (
         "members",
