@@ -143,7 +143,8 @@ design:
   overstrength: 1.25
   members:
     interaction: annex_b
-    buckling_length: {columns: {y: 1, z: 1}, beams: {y: 1, z: 1}, braces: {y: 1, z: 1}}
+    buckling_length: {columns: {y: 1, z: 1}, beams: {y: 1, z: 1}, braces: {y: 1, z: 1},
+      places: [{kind: braces, groups: [D1], storeys: 1, y: 0.5, z: 0.6}]}
     lateral_restraint: {beams: ends, columns: floors}
     yield_by_thickness: en10025-2
     doubler_plates: true

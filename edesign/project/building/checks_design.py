@@ -6,6 +6,7 @@ from edesign.project.building.building import Building
 from edesign.project.building.design import KINDS, Select
 from edesign.project.building.members import CHEVRONS
 from edesign.project.checks.hazard import check_hazard
+from edesign.project.checks.selections import GridSelections
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
 
 
@@ -68,14 +69,27 @@ def check_design(building: Building, problems: Problems, files: bool = True) -> 
                 f"no brace along {along} is a `chevron` or `v`; the type of others is `concentric_diagonal` [E-BLDG-01]"
             )
             problems.at_value(("design", "systems", along, "type"), message)
+    named = _groups(building)
+    for i, place in enumerate(design.members.buckling_length.places):
+        keys: Keys = ("design", "members", "buckling_length", "places", i)
+        GridSelections(problems, building.n_storeys, "building").storeys(keys, place.storeys)
+        for k, group in enumerate(place.groups):
+            if group not in named:
+                problems.at_item((*keys, "groups"), k, unknown_name("group", group, named))
     _select(building, design.select, problems)
+
+
+def _groups(building: Building) -> dict[str, None]:
+    """The names of the groups of members, in their order."""
+    found: dict[str, None] = {}
+    for runs in (building.columns, building.beams, building.braces):
+        found |= dict.fromkeys(run.group or "" for run in runs)
+    return found
 
 
 def _select(building: Building, select: Select, problems: Problems) -> None:
     """Names of groups in `select` are those of the building."""
-    named: dict[str, None] = {}
-    for runs in (building.columns, building.beams, building.braces):
-        named |= dict.fromkeys(run.group or "" for run in runs)
+    named = _groups(building)
     keys: Keys = ("design", "select")
     if select.objective == "cost" and not select.prices:
         problems.at_value(

@@ -8,6 +8,8 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field
 
+from edesign.project.notation.selections import ALL_NUMBERS, Numbers
+from edesign.project.notation.several import ShortName
 from edesign.project.notation.units import (
     Factor,
     PositiveFactor,
@@ -247,18 +249,50 @@ class LengthFactors(Model):
     z: PositiveFactor = 1.0
 
 
+class PlacedLengthFactors(LengthFactors):
+    """Buckling length over length between nodes of members of some groups, or of one kind, in some storeys.
+
+    Attributes:
+        kind: `columns`, `beams` or `braces`; without the key members of any kind.
+        groups: groups of members; without the key all of the kind.
+        storeys: storeys of the members; a beam is in the storey below its floor.
+    """
+
+    kind: Literal["columns", "beams", "braces"] | None = None
+    groups: tuple[ShortName, ...] = ()
+    storeys: Numbers = ALL_NUMBERS
+
+
 class BucklingLength(Model):
-    """Buckling lengths by the kind of member.
+    """Buckling lengths by the kind of member, and by place.
 
     Attributes:
         columns: factors of columns.
         beams: factors of beams.
         braces: factors of braces.
+        places: factors of members of some groups or storeys in place of those of their kind; a later entry overrides
+            an earlier one.
     """
 
     columns: LengthFactors = LengthFactors()
     beams: LengthFactors = LengthFactors()
     braces: LengthFactors = LengthFactors()
+    places: tuple[PlacedLengthFactors, ...] = ()
+
+    def of(self, kind: str, group: str, storey: int) -> LengthFactors:
+        """Return the factors of a member.
+
+        Args:
+            kind: `column`, `beam` or `brace`.
+            group: its group.
+            storey: from 1; of a beam that below its floor.
+        """
+        found: LengthFactors = getattr(self, f"{kind}s")
+        for place in self.places:
+            named = place.kind in (None, f"{kind}s") and (not place.groups or group in place.groups)
+            if named and storey in place.storeys.numbers(1, storey):
+                found = place
+        return found
 
 
 class LateralRestraint(Model):

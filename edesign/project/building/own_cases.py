@@ -134,7 +134,7 @@ class LoadCaseOfFile(Model):
     def relieving(self) -> bool:
         """Whether some of its loads do not act downwards, so that it may relieve what others load."""
         sideways = any(force.x or force.y or force.down < 0.0 for force in self.nodes)
-        lifting = any(load.q < 0.0 for load in (*self.areas, *self.beams))
+        lifting = any(area.q < 0.0 for area in self.areas) or any(beam.q < 0.0 for beam in self.beams)
         return self.reversed or sideways or lifting or bool(self.floors or self.facades)
 
     def values(self) -> Iterator[tuple[str, int, str, float]]:

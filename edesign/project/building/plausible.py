@@ -264,8 +264,12 @@ def _factors(building: Building) -> Iterator[tuple[Keys, float, Range]]:
     lengths = building.design.members.buckling_length
     for kind in KINDS:
         for axis in ("y", "z"):
-            keys = ("design", "members", "buckling_length", kind, axis)
+            keys: Keys = ("design", "members", "buckling_length", kind, axis)
             yield keys, getattr(getattr(lengths, kind), axis), BUCKLING_LENGTH
+    for i, place in enumerate(lengths.places):
+        for axis in ("y", "z"):
+            keys = ("design", "members", "buckling_length", "places", i, axis)
+            yield keys, getattr(place, axis), BUCKLING_LENGTH
 
 
 def _lengths(keys: Keys, of: object, key: str, bounds: Range) -> Iterator[tuple[Keys, float, Range]]:

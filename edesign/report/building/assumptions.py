@@ -115,6 +115,10 @@ def _stability(design: Design) -> str:
         f"{kind} {of.y:g} (y) and {of.z:g} (z)"
         for kind, of in (("columns", lengths.columns), ("beams", lengths.beams), ("braces", lengths.braces))
     ]
+    for place in lengths.places:
+        which = " ".join(filter(None, (", ".join(place.groups), place.kind))) or "members"
+        where = "" if place.storeys.is_all else f" in storeys {place.storeys}"
+        parts.append(f"{which}{where} {place.y:g} (y) and {place.z:g} (z)")
     beams = "restrained by the slab all along" if restraint.beams == "slab" else "restrained at their ends"
     columns = "at the floors" if restraint.columns == "floors" else "all along"
     method = {"annex_a": "Annex A", "annex_b": "Annex B"}[design.members.interaction]

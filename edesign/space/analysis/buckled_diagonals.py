@@ -48,12 +48,13 @@ def with_buckled_diagonals(
         building: with its materials and the block `design`.
     """
     design = design_of(building)
-    factor, gamma_M1 = design.members.buckling_length.braces, design.partial_factors.M1
+    gamma_M1 = design.partial_factors.M1
     N_b = np.zeros(bracing.braces.size)
     for column in np.flatnonzero(single):
         number = int(bracing.braces[column])
         member, length = frame.members[number], float(frame.length[number])
         steel = building.materials[member.material]
+        factor = design.members.buckling_length.of(member.kind, member.group, member.storey)
         N_b[column] = _buckling_resistance(
             frame.section(member.section), steel, factor.y * length, factor.z * length, gamma_M1
         )

@@ -389,6 +389,7 @@ class _Role:
         hinges: at how many ends a beam passes moments on.
         sways_y, sways_z: a column that bends about this axis in a moment frame.
         compressed: whether it may have an axial force.
+        y, z: buckling length over its length, about either axis.
     """
 
     kind: str
@@ -397,6 +398,8 @@ class _Role:
     sways_y: bool
     sways_z: bool
     compressed: bool
+    y: float
+    z: float
 
 
 def _compressed(frame: SpaceFrame, bracing: Bracing) -> np.ndarray:
@@ -417,7 +420,8 @@ def _role(design: Design, member: Member, length: float, compressed: bool) -> _R
     sway = [axis for axis in AXES if system_of(design, axis).type == MOMENT_FRAME]
     about = {bends_about_y(member, axis) for axis in sway} if member.kind == "column" else set()
     hinges = sum(stiffness > 0.0 for stiffness in (member.ends[0], member.ends[2])) if member.kind == "beam" else 0
-    return _Role(member.kind, length, hinges, True in about, False in about, compressed)
+    of = design.members.buckling_length.of(member.kind, member.group, member.storey)
+    return _Role(member.kind, length, hinges, True in about, False in about, compressed, of.y, of.z)
 
 
 @cache
@@ -437,7 +441,6 @@ def _member(design: Design, section: SteelSection, steel: Steel, plastic: bool, 
     that of beams without a slab is found in each combination.
     """
     checks, factors = design.members, design.partial_factors
-    of_length = getattr(checks.buckling_length, f"{role.kind}s")
     restrained = (role.kind == "beam" and checks.lateral_restraint.beams == "slab") or (
         role.kind == "column" and checks.lateral_restraint.columns == "all_along"
     )
@@ -451,8 +454,8 @@ def _member(design: Design, section: SteelSection, steel: Steel, plastic: bool, 
         section,
         steel.fy,
         Stability(
-            L_cr_y=of_length.y * role.length,
-            L_cr_z=0.0 if role.kind == "beam" and restrained else of_length.z * role.length,
+            L_cr_y=role.y * role.length,
+            L_cr_z=0.0 if role.kind == "beam" and restrained else role.z * role.length,
             L_LT=0.0 if restrained or role.kind == "brace" else role.length,
             C_my=uniform if annex_a else SWAY if role.sways_y else 1.0,
             C_mz=uniform if annex_a else SWAY if role.sways_z else 1.0,

@@ -182,9 +182,10 @@ def brace_slenderness(building: Building, frame: SpaceFrame, members: np.ndarray
     Returns:
         lambda, (n,), dimensionless.
     """
-    factor = design_of(building).members.buckling_length.braces
+    lengths = design_of(building).members.buckling_length
+    factors = [lengths.of(of.kind, of.group, of.storey) for of in (frame.members[number] for number in members)]
     of_one_metre = by_section(frame, building.materials, slenderness_of_one_metre)
-    return of_one_metre[members] * frame.length[members] * max(factor.y, factor.z)
+    return of_one_metre[members] * frame.length[members] * np.array([max(factor.y, factor.z) for factor in factors])
 
 
 def slenderness_of_one_metre(section: SteelSection, steel: Steel) -> float:

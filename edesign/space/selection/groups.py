@@ -143,11 +143,12 @@ def _fits(analysis: ElasticAnalysis, group: str, section: str, bent: bool, highe
 def _slender(analysis: ElasticAnalysis, group: str, members: Sequence[int]) -> Callable[[SteelSection], bool]:
     """Say whether diagonals of a section would have a slenderness that EN 1998-1, 6.7.3(1) to (4) allows."""
     frame, design = analysis.frame, design_of(analysis.building)
-    factor = max(design.members.buckling_length.braces.y, design.members.buckling_length.braces.z)
     ranges: list[tuple[float, float]] = []  # of the slenderness of one metre, the lower end excluded
     if frame.n_floors > FEW_STOREYS and design.ductility_class != "low":
         for number in members:
-            member, length = frame.members[number], factor * float(frame.length[number])
+            member = frame.members[number]
+            factor = design.members.buckling_length.of(member.kind, member.group, member.storey)
+            length = max(factor.y, factor.z) * float(frame.length[number])
             pattern = pattern_of(member)
             if member.kind == "brace" and SLENDERNESS_CLAUSES[pattern] not in design.select.leave_out:
                 least, most = SLENDERNESS[pattern]

@@ -48,8 +48,8 @@ def _own_case(building: Building, frame: SpaceFrame, name: str, case: LoadCaseOf
         _add_floor_force(building, frame, found.nodal, of_floor, factor)
     for facade in case.facades:
         axis, inwards = facing(facade.side)
-        for line, floor, area in facade_areas(building, facade):
-            found.nodal[nodes[node_name(line, floor)], axis] += factor * inwards * facade.pressure * area
+        for line, floor, size in facade_areas(building, facade):
+            found.nodal[nodes[node_name(line, floor)], axis] += factor * inwards * facade.pressure * size
     return replace(found, own=True, relieving=case.relieving)
 
 
