@@ -284,7 +284,6 @@ class BucklingLength(Model):
 
         Args:
             kind: `column`, `beam` or `brace`.
-            group: its group.
             storey: from 1; of a beam that below its floor.
         """
         found: LengthFactors = getattr(self, f"{kind}s")

@@ -21,7 +21,7 @@ CASES = TableSpec[dict[str, Any]](
         text("case"),
         count("storey"),
         *(col(f"F_{axis}", KN, negligible=0.05) for axis in AXES),
-        *(col(f"d_{axis}/h", ONE, f"drift_{axis}", 3, negligible=1e-7) for axis in AXES),
+        *(col(f"d_{axis}/h", ONE, f"storey_drift_{axis}", 3, negligible=1e-7) for axis in AXES),
     ),
     notes=(
         "F: on the floor above the storey; d/h: largest drift of its columns over its height, of first order; a case "
@@ -34,9 +34,9 @@ DRIFTS = TableSpec[dict[str, Any]](
     "Drifts of storeys, characteristic combinations",
     (
         count("storey"),
-        col("d_x/h", ONE, "drift_x", 3, negligible=1e-7),
+        col("d_x/h", ONE, "storey_drift_x", 3, negligible=1e-7),
         text("combination", "name_x"),
-        col("d_y/h", ONE, "drift_y", 3, negligible=1e-7),
+        col("d_y/h", ONE, "storey_drift_y", 3, negligible=1e-7),
         text("combination ", "name_y"),
     ),
     formulas=True,
@@ -56,7 +56,7 @@ def lateral_cases_table(results: BuildingResults) -> Table:
         for storey in reversed(range(force.shape[2])):
             row: dict[str, Any] = {"case": name, "storey": storey + 1}
             for k, axis in enumerate(AXES):
-                row |= {f"F_{axis}": force[number, k, storey], f"drift_{axis}": drift[number, k, storey]}
+                row |= {f"F_{axis}": force[number, k, storey], f"storey_drift_{axis}": drift[number, k, storey]}
             rows.append(row)
     return CASES.of(rows)
 
@@ -73,7 +73,7 @@ def drifts_table(results: BuildingResults) -> Table:
         row: dict[str, Any] = {"storey": storey + 1}
         for k, axis in enumerate(AXES):
             name = str(names[int(numbers[k, storey]) - 1])
-            row |= {f"drift_{axis}": combined[k, storey], f"name_{axis}": name}
+            row |= {f"storey_drift_{axis}": combined[k, storey], f"name_{axis}": name}
         rows.append(row)
     limits = results.group(GROUP).attributes
     notes = [
@@ -96,7 +96,7 @@ def lateral_summary(results: BuildingResults) -> list[dict[str, object]]:
             "case": str(case),
             "storey": storey + 1,
             **{f"force_{axis}": float(force[number, k, storey]) for k, axis in enumerate(AXES)},
-            **{f"drift_{axis}": float(drift[number, k, storey]) for k, axis in enumerate(AXES)},
+            **{f"storey_drift_{axis}": float(drift[number, k, storey]) for k, axis in enumerate(AXES)},
         }
         for number, case in enumerate(results.values(GROUP, "case"))
         for storey in range(force.shape[2])
