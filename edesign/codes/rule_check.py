@@ -48,6 +48,7 @@ class RuleCheck:
         passed: None for a rule that does not apply or only informs.
         detail: where the worst value stands, or what follows.
         least: whether the limit is the least value, not the largest.
+        told: the clause that the code in use has in its place, with the standard; empty: `clause`.
     """
 
     clause: str
@@ -58,11 +59,12 @@ class RuleCheck:
     passed: bool | None
     detail: str = ""
     least: bool = False
+    told: str = ""
 
     @property
     def reference(self) -> str:
         """The clause with its standard."""
-        return with_standard(self.clause)
+        return self.told or with_standard(self.clause)
 
     def __post_init__(self) -> None:
         """Make numbers and truth values of numpy plain ones: `passed is False` must hold for both."""

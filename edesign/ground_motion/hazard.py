@@ -8,6 +8,7 @@ from typing import overload
 from edesign.codes.ec8 import ElasticSpectrum, NationalParameters, VerticalSpectrum
 from edesign.codes.fema356.objectives import OBJECTIVES
 from edesign.codes.motion_sets import SetRules
+from edesign.codes.ntc2018.parameters import ntc_parameters
 from edesign.codes.registry import find_code
 from edesign.codes.spectrum import DesignOrdinates, Spectrum
 from edesign.errors import InputError
@@ -78,16 +79,20 @@ def elastic_spectrum(hazard: Hazard, level: str | None = None) -> Spectrum:
     return action_of(hazard).elastic(level)
 
 
-def vertical_spectrum(hazard: EC8Hazard, level: str | None = None) -> VerticalSpectrum:
-    """Return the vertical elastic spectrum of EN 1998-1; errors as `elastic_spectrum`.
+@overload
+def vertical_spectrum(hazard: EC8Hazard, level: str | None = None) -> VerticalSpectrum: ...
+@overload
+def vertical_spectrum(hazard: Hazard, level: str | None = None) -> Spectrum: ...
+def vertical_spectrum(hazard: Hazard, level: str | None = None) -> Spectrum:
+    """Return the vertical elastic spectrum; errors as `elastic_spectrum`, or the code has none.
 
     Args:
         hazard: block of the project.
         level: its name; None: the action that records are fitted to.
 
-    Source: EN 1998-1:2004, 3.2.2.3.
+    Source: EN 1998-1:2004, 3.2.2.3; NTC 2018, 3.2.3.2.2.
     """
-    return EC8Action(hazard).vertical(level)
+    return action_of(hazard).vertical(level)
 
 
 def design_spectrum(hazard: Hazard, level: str | None = None) -> DesignOrdinates:
@@ -176,8 +181,10 @@ def rules_in_force(hazard: Hazard | None) -> SetRules:
     return find_code(hazard.criteria if isinstance(hazard, UserHazard) else hazard.code).set_rules
 
 
-def national_of(hazard: EC8Hazard) -> NationalParameters:
+def national_of(hazard: EC8Hazard | NtcHazard) -> NationalParameters:
     """Return the national parameters: those that the file states, then those of its country, then the recommended ones.
+
+    An action of NTC 2018 has those of this code.
 
     Args:
         hazard: block of the project.
@@ -185,4 +192,4 @@ def national_of(hazard: EC8Hazard) -> NationalParameters:
     Raises:
         InputError: the country has no data file.
     """
-    return EC8Action(hazard).national
+    return ntc_parameters() if isinstance(hazard, NtcHazard) else EC8Action(hazard).national

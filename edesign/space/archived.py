@@ -55,6 +55,7 @@ def _summary(design: ElasticDesign) -> Group:
             "notes": list(design.notes),
             "mass_kg": frame.acting_mass,
             "ductility_class": design.building.design.ductility_class if design.building.design else "",
+            "seismic_code": design.building.design.code.seismic if design.building.design else "",
             "gamma_M0": design.members.members[0].gamma_M0,
             "gamma_M1": design.members.members[0].gamma_M1,
             "regular_in_plan": int(design.regular.plan),
@@ -168,7 +169,8 @@ def _criteria(design: ElasticDesign) -> Group:
         ("text", "what is asked"),
         ("detail", "where, or what follows"),
     ):
-        group.add(name, ("rule",), np.array([getattr(rule, name) for rule in rules]), "", text)
+        values = [rule.told or rule.clause if name == "clause" else getattr(rule, name) for rule in rules]
+        group.add(name, ("rule",), np.array(values), "", text)
     for name, text in (("required", "limit"), ("value", "what was found")):
         values = [np.nan if getattr(rule, name) is None else getattr(rule, name) for rule in rules]
         group.add(name, ("rule",), np.array(values, dtype=float), "1", text)

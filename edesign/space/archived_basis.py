@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import fields
 
 import numpy as np
@@ -12,6 +12,7 @@ from edesign.codes.ec3.member import Stability
 from edesign.frame.sections.section_class import section_class
 from edesign.ground_motion.hazard import elastic_spectrum
 from edesign.space.analysis.effects import largest
+from edesign.space.analysis.response import AnyDesignSpectrum
 from edesign.space.elastic_design import ElasticDesign
 from edesign.space.structure.frame import AXES
 from edesign.space.structure.load_cases import on_nodes
@@ -136,10 +137,10 @@ def _spectrum(design: ElasticDesign) -> Group:
     building = design.building
     of = {axis: design.response[axis].spectrum for axis in AXES}
     longest = max(LONGEST, 1.1 * float(design.modes.period.max()))
-    period = np.unique(np.concatenate([np.linspace(0.0, longest, POINTS), of["x"].corners]))
+    period = np.unique(np.concatenate([np.linspace(0.0, longest, POINTS), _corners(of["x"])]))
     group = Group(coords={"period": Variable(("period",), period, "s", "period")})
     if building.hazard is not None and building.design is not None:
-        level = building.design.level or next(iter(building.hazard.levels), None)
+        level = building.design_level or None
         elastic = elastic_spectrum(building.hazard, level)
         group.attributes["label"] = elastic.label
         group.add("elastic", ("period",), elastic.acceleration(period), "m/s^2", "elastic response spectrum S_e")
@@ -147,6 +148,12 @@ def _spectrum(design: ElasticDesign) -> Group:
         text = f"design spectrum S_d, direction {axis}"
         group.add(f"design_{axis}", ("period",), of[axis].acceleration(period), "m/s^2", text)
     return group
+
+
+def _corners(spectrum: AnyDesignSpectrum) -> list[float]:
+    """Return T_B, T_C and T_D, s."""
+    corners = spectrum.corners
+    return list(corners.values() if isinstance(corners, Mapping) else corners)
 
 
 def _overstrength(design: ElasticDesign, axis: str) -> Group:

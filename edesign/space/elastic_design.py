@@ -7,16 +7,19 @@ from dataclasses import dataclass, fields, replace
 
 import numpy as np
 
-from edesign.codes.ec8 import DesignSpectrum
+from edesign.codes.ec8 import DesignSpectrum, ElasticSpectrum
 from edesign.codes.ec8.modal_combination import LARGE_MODE
 from edesign.codes.ec8.second_order import NEGLIGIBLE
 from edesign.codes.en1990.combinations import Combination, characteristic, fundamental, seismic
-from edesign.codes.rule_check import ROUNDING, RuleCheck
+from edesign.codes.ntc2018 import NtcDesignSpectrum, NtcSpectrum
+from edesign.codes.ntc2018.behaviour_factor import limit_of_q, limit_of_q_for_damage
+from edesign.codes.ntc2018.drift import limit_state_of_drift
+from edesign.codes.rule_check import ROUNDING, RuleCheck, at_most
 from edesign.core.space import SpaceModel
 from edesign.core.space_modes import SpaceModes
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum, national_of, vertical_spectrum
-from edesign.project.actions.hazard import EC8Hazard
+from edesign.project.actions.hazard import EC8Hazard, NtcHazard
 from edesign.project.building.building import Building, Steel
 from edesign.project.building.plausible import unusual
 from edesign.project.notation.units import STANDARD_GRAVITY
@@ -37,6 +40,7 @@ from edesign.space.analysis.lateral import LateralCases, lateral_cases, static_e
 from edesign.space.analysis.live_load_reduction import NOTE as LIVE_LOADS_REDUCED
 from edesign.space.analysis.live_load_reduction import LiveLoadReduction
 from edesign.space.analysis.response import (
+    AnyDesignSpectrum,
     ResponseSpectrumAnalysis,
     SeismicResponse,
     StaticResponse,
@@ -63,7 +67,7 @@ from edesign.space.checks.rules import (
 )
 from edesign.space.checks.web_panels import Panel, panel_criteria, web_panels
 from edesign.space.file_places import keys_of_member, telling_member, telling_place
-from edesign.space.structure.design_block import MOMENT_FRAME, Regular, design_of, system_of
+from edesign.space.structure.design_block import MOMENT_FRAME, Regular, design_of, rules_of, system_of
 from edesign.space.structure.frame import AXES, Axis, Member, SpaceFrame
 from edesign.space.structure.geometry import space_frame
 from edesign.space.structure.load_cases import SELF_WEIGHT, self_weight
@@ -187,7 +191,8 @@ class ElasticAnalysis:
         self._made = building = with_steel_by_thickness(building)
         self._design = design_of(building)
         hazard = _hazard(building)
-        self._national = national_of(hazard)
+        self._national, self._rules = national_of(hazard), rules_of(self._design)
+        self._class_of_use = hazard.class_of_use if isinstance(hazard, NtcHazard) else ""
         progress("members, loads and masses")
         self.frame = space_frame(building, design=True)
         if not self.frame.node_mass.any():
@@ -209,9 +214,11 @@ class ElasticAnalysis:
         self._single = single_diagonals(self.frame, self.bracing)
         self.supports = supports(self.frame, self.bracing)
         self._bases = {axis: hinged_bases(self.frame, axis) for axis in AXES}
-        level = self._design.level or next(iter(hazard.levels), None)
+        level = building.design_level or None
         self._elastic = elastic_spectrum(hazard, level)
-        self._vertical = vertical_component(self.frame, vertical_spectrum(hazard, level), self._national.beta)
+        self._damage, self._capping = self._of_serviceability(hazard)
+        vertical = vertical_spectrum(hazard, level)
+        self._vertical = vertical_component(self.frame, vertical, self._national.beta, self._rules.vertical)  # type: ignore[arg-type]
         concerned = self._vertical.members if self._vertical else np.zeros(0, dtype=int)
         self.members = MemberChecker(building, self.frame, self.dissipative, self.bracing, concerned)
         self._sway = SwayAnalysis(self.frame, self._design.imperfections == "sway")
@@ -338,15 +345,15 @@ class ElasticAnalysis:
             modes = _first(modes, design.modes, building)
         self._progress("effects of the actions")
         static = static_effects(gravity_model, model, frame, self.bracing, self.supports)
-        analysis = ResponseSpectrumAnalysis(model, frame, self._elastic, design, self.bracing, self.supports)
+        analysis = ResponseSpectrumAnalysis(model, frame, self._capping, design, self.bracing, self.supports)
         with telling_place(building, "design", "combination"):
             response = {
-                axis: analysis.response(modes, axis, DesignSpectrum.of(self._elastic, q[axis], self._national.beta))
+                axis: analysis.response(modes, axis, self._design_spectrum(q[axis]))
                 for axis in AXES
             }
         height = np.array(building.storey_heights)
         gravity = gravity_above(frame, self.seismic[0].static)
-        of_storeys = {axis: storeys(response[axis], height, gravity, design) for axis in AXES}
+        of_storeys = {axis: storeys(response[axis], height, gravity, design, self._class_of_use) for axis in AXES}
         sway = self._sway.stability(model, frame, every, static, self.fundamental)
         acting, persistent = sway.added(effects(frame, static, response, of_storeys)), sway.rows
         if self._reduction is not None:
@@ -356,7 +363,16 @@ class ElasticAnalysis:
         steel, gamma_M0 = building.materials, design.partial_factors.M0
         kind = {axis: system_of(design, axis).type for axis in AXES}
         Omega = {
-            axis: overstrength(frame, steel, in_earthquakes, self.dissipative[axis], axis, kind[axis], gamma_M0)
+            axis: overstrength(
+                frame,
+                steel,
+                in_earthquakes,
+                self.dissipative[axis],
+                axis,
+                kind[axis],
+                gamma_M0,
+                (acting, self.seismic) if self._rules.gravity_apart else None,
+            )
             for axis in AXES
         }
         self._progress("checks of the members")
@@ -369,7 +385,8 @@ class ElasticAnalysis:
         }
         deflections = self._deflections.deflections(frame, self._properties[1], static)
         factors = foundation_factors(building, frame, self.supports, in_earthquakes, Omega, q)
-        found = foundations(frame, self.supports, static, response, of_storeys, self.seismic, *factors)
+        whole = bool(self._rules.foundations)
+        found = foundations(frame, self.supports, static, response, of_storeys, self.seismic, *factors, whole)
         of_panels = {
             axis: web_panels(
                 frame,
@@ -383,11 +400,12 @@ class ElasticAnalysis:
             for number, axis in enumerate(AXES)
             if axis in of_joints
         }
-        criteria = [*modal_criteria(modes), *of_regularity]
+        criteria = [*modal_criteria(modes, self._rules), *of_regularity]
         criteria += sway_criteria(sway, design.imperfections == "sway")
         for axis in AXES:
             criteria += behaviour_criteria(building, frame, q, q_limit, axis, self.dissipative[axis], regular)
-            criteria += storey_criteria(of_storeys[axis])
+            criteria += storey_criteria(of_storeys[axis], self._limited_drift())
+            criteria += self._strength_under_damage(response[axis], regular)
             if self._design.ductility_class == "low":
                 continue  # no capacity design (EN 1998-1, 6.1.2(4))
             if axis in of_joints:
@@ -395,7 +413,15 @@ class ElasticAnalysis:
                 criteria += connection_criteria(design, axis, q[axis])
                 criteria += joint_criteria(of_joints[axis], axis)
                 criteria += base_criteria(
-                    frame, steel, acting, checked.amplified, self._bases[axis], axis, highest, gamma_M0
+                    frame,
+                    steel,
+                    acting,
+                    checked.amplified,
+                    self._bases[axis],
+                    axis,
+                    highest,
+                    gamma_M0,
+                    self._rules.base_axial,
                 )
                 criteria += panel_criteria(of_panels[axis], len(of_joints[axis]), axis, design.members.doubler_plates)
             else:
@@ -413,7 +439,7 @@ class ElasticAnalysis:
             storeys=of_storeys,
             sway=sway,
             effects=acting,
-            combinations=(*checked.rows, *self._characteristic),
+            combinations=tuple(map(self._rules.combination, (*checked.rows, *self._characteristic))),
             regular=regular,
             q=q,
             overstrength=Omega,
@@ -423,15 +449,67 @@ class ElasticAnalysis:
             joints=tuple(joint for of_axis in of_joints.values() for joint in of_axis),
             panels=tuple(panel for of_axis in of_panels.values() for panel in of_axis),
             foundations=found,
-            criteria=tuple(criteria),
-            notes=(
-                *_notes(response, of_storeys),
-                *sway_notes(sway),
-                *found.uplift,
-                *self._limits(frame),
-                *_without_dampers(self.building),
+            criteria=tuple(map(self._rules.rule, criteria)),
+            notes=tuple(
+                map(
+                    self._rules.told,
+                    (
+                        *_notes(response, of_storeys, bool(self._class_of_use)),
+                        *sway_notes(sway),
+                        *found.uplift,
+                        *self._limits(frame),
+                        *_without_dampers(self.building),
+                    ),
+                )
             ),
         )
+
+    def _of_serviceability(
+        self, hazard: EC8Hazard | NtcHazard
+    ) -> tuple[NtcSpectrum | None, ElasticSpectrum | NtcSpectrum | NtcDesignSpectrum]:
+        """Return the elastic spectrum of SLD, if any, and the one of the drifts that count beside those of the design.
+
+        By EN 1998-1 these are the elastic drifts of the design level. By NTC 2018, 7.3.6.1, those of SLD with q = 1, or
+        of SLO, whose design spectrum is the elastic one (3.2.3.4).
+        """
+        if not isinstance(hazard, NtcHazard):
+            return None, self._elastic  # type: ignore[return-value]
+        of_state = {
+            state: elastic_spectrum(hazard, level)
+            for state in ("SLO", "SLD")
+            if (level := self._made.level_of_limit_state(state)) is not None
+        }
+        damage: NtcSpectrum | None = of_state.get("SLD")  # type: ignore[assignment]
+        if self._design.drift.limit == "none":
+            return damage, self._elastic  # type: ignore[return-value]
+        state = limit_state_of_drift(hazard.class_of_use)
+        return damage, NtcDesignSpectrum(of_state[state], 1.0) if state == "SLD" else of_state[state]  # type: ignore[arg-type,return-value]
+
+    def _design_spectrum(self, q: float) -> AnyDesignSpectrum:
+        """Return S_d of the code for a behaviour factor."""
+        if isinstance(self._elastic, NtcSpectrum):
+            return NtcDesignSpectrum(self._elastic, q, beta=self._national.beta)
+        return DesignSpectrum.of(self._elastic, q, self._national.beta)  # type: ignore[arg-type]
+
+    def _limited_drift(self) -> str:
+        """Return what the code calls the drift that it limits."""
+        return f"q d_r / h under {limit_state_of_drift(self._class_of_use)}" if self._class_of_use else "nu d_r / h"
+
+    def _strength_under_damage(self, response: SeismicResponse, regular: Regular) -> list[RuleCheck]:
+        """Return whether members that resist SLV resist SLD as well, which classes of use III and IV ask for.
+
+        Source: NTC 2018, Table 7.3.III and 7.3.1, Table 7.3.I; Circolare 7/2019, C7.3.1.
+        """
+        if self._damage is None:
+            return []
+        axis, T_1 = response.axis, response.T_1
+        q_ND = limit_of_q(system_of(self._design, axis).type, "low", 1.0, regular.elevation)
+        SLV, SLD = (float(of.acceleration(T_1)) for of in (self._elastic, self._damage))
+        text = f"q up to which strength under SLV is strength under SLD, direction {axis}"
+        rule = at_most("NTC 2018, C7.3.1", text, limit_of_q_for_damage(q_ND, SLV, SLD), response.spectrum.q)
+        asked = self._class_of_use in ("III", "IV")
+        detail = f"q_ND = {q_ND:.3g}, T_1 = {T_1:.3g} s"
+        return [replace(rule, detail=detail) if asked else replace(rule, passed=None, detail=f"{detail}; informs")]
 
     def _with_local_actions(
         self, acting: Effects, building: Building, frame: SpaceFrame, gravity_model: SpaceModel
@@ -505,7 +583,7 @@ def _first(modes: SpaceModes, count: int, building: Building) -> SpaceModes:
     return replace(modes, **{field.name: getattr(modes, field.name)[:count] for field in fields(modes)})
 
 
-def _hazard(building: Building) -> EC8Hazard:
+def _hazard(building: Building) -> EC8Hazard | NtcHazard:
     if building.hazard is None:
         raise InputError(
             f"{building.where('hazard')}: hazard: this block is missing; docs/reference/building_file.md explains it"
@@ -522,8 +600,19 @@ def _without_dampers(building: Building) -> list[str]:
     return ["the elastic design is that of the building without its dampers"] if there else []
 
 
-def _notes(response: Mapping[Axis, SeismicResponse], of_storeys: Mapping[Axis, Storeys]) -> list[str]:
+def _notes(
+    response: Mapping[Axis, SeismicResponse], of_storeys: Mapping[Axis, Storeys], by_ntc: bool = False
+) -> list[str]:
     found = []
+    if by_ntc:
+        found.append(
+            "gamma_G of all permanent loads is that of G_1: those that are not structural are taken as well defined (NTC "
+            "2018, Table 2.6.I, note 1); otherwise give `partial_factors: {G: 1.5}`"
+        )
+        found.append(
+            "capacity over demand of adjacent storeys is not compared (NTC 2018, 7.2.1 f); where it differs by more than "
+            "30 %, give `regular_in_elevation: false`"
+        )
     for axis in AXES:
         of = response[axis]
         if round(of.base_shear / 1e3) > round(of.base_shear_without_beta / 1e3):
@@ -532,7 +621,7 @@ def _notes(response: Mapping[Axis, SeismicResponse], of_storeys: Mapping[Axis, S
                 f"without it {of.base_shear_without_beta / 1e3:.0f} kN (EN 1998-1, 3.2.2.5(4)P)"
             )
         table = of_storeys[axis]
-        if table.theta_q.max() > NEGLIGIBLE and round(table.theta_q.max(), 2) > round(table.theta.max(), 2):
+        if not by_ntc and table.theta_q.max() > NEGLIGIBLE and round(table.theta_q.max(), 2) > round(table.theta.max(), 2):
             found.append(
                 f"theta along {axis} is up to {table.theta_q.max():.2f} with q d_e and {table.theta.max():.2f} with "
                 "the cap of the elastic spectrum (EN 1998-1, 4.3.4(3))"

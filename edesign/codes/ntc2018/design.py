@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -24,6 +25,7 @@ class NtcDesignSpectrum:
         elastic: of the same action; its damping does not enter.
         q: behaviour factor, at least 1.
         label: for plots and tables.
+        beta: lower bound, in shares of a_g.
 
     Source: NTC 2018, 3.2.3.5.
     """
@@ -31,10 +33,16 @@ class NtcDesignSpectrum:
     elastic: NtcSpectrum | NtcVerticalSpectrum
     q: float
     label: str = "NTC 2018 design"
+    beta: float = LOWER_BOUND
 
     def __post_init__(self) -> None:
         if not (math.isfinite(self.q) and self.q >= 1.0):
             raise InputError(f"the behaviour factor q must be at least 1, not {self.q:g} [E-VALUE-02]")
+
+    @property
+    def corners(self) -> Mapping[str, float]:
+        """Corner periods T_B, T_C and T_D, s."""
+        return self.elastic.corners
 
     def acceleration(self, period: ArrayLike) -> np.ndarray:
         """Return S_d(T), m/s2, in the shape of `period` (s).
@@ -44,4 +52,4 @@ class NtcDesignSpectrum:
         """
         c = self.elastic.corners
         shape = four_branches(period, (c["T_B"], c["T_C"], c["T_D"]), start=1.0, plateau=self.elastic.F_0 / self.q)
-        return np.maximum(self.elastic.zero_period * shape, LOWER_BOUND * self.elastic.a_g)
+        return np.maximum(self.elastic.zero_period * shape, self.beta * self.elastic.a_g)

@@ -10,7 +10,7 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import Field, PrivateAttr
 
-from edesign.project.actions.hazard import AnyHazard, EC8Hazard
+from edesign.project.actions.hazard import AnyHazard, EC8Hazard, NtcHazard
 from edesign.project.analysis.analyses import BuildingAnalysis
 from edesign.project.analysis.damping import Damping
 from edesign.project.analysis.integration import Integration
@@ -214,12 +214,18 @@ class Building(spacing.Storeys, AnalysisFile):
         """The name of the hazard level that the building is designed for; "" without a design."""
         if self.design is None or self.hazard is None:
             return ""
-        return self.design.level or next(iter(self.hazard.levels))
+        of_state = self.level_of_limit_state("SLV") if isinstance(self.hazard, NtcHazard) else None
+        return self.design.level or of_state or next(iter(self.hazard.levels))
 
     @property
-    def design_hazard(self) -> EC8Hazard | None:
-        """The action by EN 1998-1, which designs are for; None: the file has none, or one of another code."""
-        return self.hazard if isinstance(self.hazard, EC8Hazard) else None
+    def design_hazard(self) -> EC8Hazard | NtcHazard | None:
+        """The action by a code that designs are for; None: the file has none, or one of another code."""
+        return self.hazard if isinstance(self.hazard, EC8Hazard | NtcHazard) else None
+
+    def level_of_limit_state(self, state: str) -> str | None:
+        """Return the first level of the hazard that is of a limit state of NTC 2018; None: there is none."""
+        levels = self.hazard.levels if isinstance(self.hazard, NtcHazard) else {}
+        return next((name for name, level in levels.items() if level.limit_state == state), None)
 
     @property
     def rigid_floors(self) -> tuple[int, ...]:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from edesign.project.actions.hazard import NtcHazard
 from edesign.project.building.building import Building
-from edesign.project.building.design import KINDS, Select
+from edesign.project.building.design import KINDS, Design, Select
 from edesign.project.building.members import CHEVRONS
 from edesign.project.checks.hazard import check_hazard
 from edesign.project.checks.selections import GridSelections
@@ -28,14 +29,23 @@ def check_design(building: Building, problems: Problems, files: bool = True) -> 
         problems.at_key(("design",), "a design needs the seismic action, and the file has no `hazard` [E-KEY-02]")
     elif building.design_hazard is None:
         message = (
-            "a design is checked by EN 1993-1-1 and EN 1998-1, whose behaviour factors, importance classes and limits "
-            f"of drift belong to the action of `ec8-2004`, not of `{hazard.code}`; analyses take it [E-HAZ-03]"
+            "a design is checked by EN 1993-1-1 and EN 1998-1 or NTC 2018, whose behaviour factors, classes and limits "
+            f"of drift belong to the action of `ec8-2004` or `ntc-2018`, not of `{hazard.code}`; analyses take it"
+            " [E-HAZ-03]"
+        )
+        problems.at_value(("hazard", "code"), message)
+    elif hazard.code != design.code.seismic:
+        message = (
+            f"the design is by `{design.code.seismic}` and the action by `{hazard.code}`; both are of one code, as with "
+            f"`design: {{code: {{seismic: {hazard.code}}}}}` [E-HAZ-03]"
         )
         problems.at_value(("hazard", "code"), message)
     elif not hazard.levels:
         problems.under(
             ("hazard",), "levels", "this key is missing; the design is for one level of the hazard [E-KEY-02]"
         )
+    elif isinstance(hazard, NtcHazard):
+        _ntc(building, hazard, design, problems)
     elif design.level is None and len(hazard.levels) > 1:
         message = f"this key is missing; the hazard has the levels {listed(hazard.levels)} [E-KEY-02]"
         problems.under(("design",), "level", message)
@@ -87,8 +97,47 @@ def _groups(building: Building) -> dict[str, None]:
     return found
 
 
+def _ntc(building: Building, hazard: NtcHazard, design: Design, problems: Problems) -> None:
+    """Limit states that a design by NTC 2018 needs, and keys that this code does not know."""
+    if design.level is not None and design.level not in hazard.levels:
+        problems.at_value(("design", "level"), unknown_name("level", design.level, hazard.levels))
+    elif design.level is not None and hazard.levels[design.level].limit_state != "SLV":
+        problems.at_value(("design", "level"), "the design by NTC 2018 is for SLV (7.3.6.1); name a level of it [E-HAZ-06]")
+    wanted = {"SLV": "the strength of members"}
+    ordinary = hazard.class_of_use in ("I", "II")
+    if design.drift.limit != "none":
+        wanted["SLD" if ordinary else "SLO"] = f"drifts in class of use {hazard.class_of_use}"
+    if not ordinary:
+        wanted["SLD"] = f"the strength of members under it in class of use {hazard.class_of_use}"
+    for state, what in wanted.items():
+        if building.level_of_limit_state(state) is None:
+            message = f"no level is of {state}, by which NTC 2018, 7.3.6.1, looks at {what} [E-HAZ-06]"
+            problems.at_key(("hazard", "levels"), message)
+    given = design.model_fields_set
+    foreign = {
+        ("displacement",): "displacement" in given,
+        ("directions",): design.directions != 0.3,
+        ("drift", "nu"): "nu" in design.drift.model_fields_set,
+        ("fundamental", "expression"): design.fundamental.expression != "6.10",
+        ("code", "actions"): "actions" in design.code.model_fields_set and design.code.actions != "ntc-2018",
+    }
+    for keys, there in foreign.items():
+        if there:
+            message = "NTC 2018 leaves no such choice; take this key out of a design by `ntc-2018` [E-KEY-03]"
+            problems.at_key(("design", *keys), message)
+    if building.masses is not None and building.masses.phi != 1.0:
+        message = "phi is of EN 1998-1; the masses of NTC 2018, 3.2.4, have psi_2 alone [E-KEY-03]"
+        problems.at_key(("masses", "phi"), message)
+
+
 def _select(building: Building, select: Select, problems: Problems) -> None:
     """Names of groups in `select` are those of the building."""
+    design = building.design
+    assert design is not None, "select is a block of it"
+    for place, clause in enumerate(select.leave_out):
+        if (design.code.seismic == "ntc-2018") != clause.startswith("7."):
+            message = f"`{clause}` is no clause of the seismic code of this design, `{design.code.seismic}` [E-VALUE-03]"
+            problems.at_value(("design", "select", "leave_out", place), message)
     named = _groups(building)
     keys: Keys = ("design", "select")
     if select.objective == "cost" and not select.prices:

@@ -38,8 +38,18 @@ LeftOut = Literal[
     "6.7.3(2)",
     "6.7.3(3)",
     "6.7.3(8)",
+    "7.2.1 e",
+    "7.3.1",
+    "7.3.6.1",
+    "7.5.3.2",
+    "7.5.4.2",
+    "7.5.4.4",
+    "7.5.5",
 ]
-"""Clauses of EN 1998-1 for the whole building that sections decide: torsion, theta, drift, joints, diagonals."""
+"""Clauses of EN 1998-1 for the whole building that sections decide: torsion, theta, drift, joints, diagonals.
+
+Those of NTC 2018 stand below them.
+"""
 
 
 def _q(value: Any) -> Any:
@@ -99,14 +109,14 @@ class Codes(Model):
     """The codes and their editions.
 
     Attributes:
-        actions: edition of EN 1990 and EN 1991.
+        actions: combinations and their factors; those of NTC 2018 with its seismic rules.
         steel: edition of EN 1993-1-1.
-        seismic: edition of EN 1998-1.
+        seismic: edition of EN 1998-1, or NTC 2018 (Italy), chapter 7.
     """
 
-    actions: Literal["en1990-2002"] = "en1990-2002"
+    actions: Literal["en1990-2002", "ntc-2018"] = "en1990-2002"
     steel: Literal["ec3-2005"] = "ec3-2005"
-    seismic: Literal["ec8-2004"] = "ec8-2004"
+    seismic: Literal["ec8-2004", "ntc-2018"] = "ec8-2004"
 
 
 class System(Model):
@@ -141,10 +151,11 @@ class Drift(Model):
 
     Attributes:
         limit: kind of partitions: 0.5 % of the height of brittle, 0.75 % of ductile, 1 % of none attached (EN 1998-1,
-            4.4.3.2(1)).
-        nu: reduction of the action (4.4.3.2(2)); without the key that of the country for the importance class.
+            4.4.3.2(1); NTC 2018, 7.3.6.1, with two thirds of it in classes of use III and IV).
+        nu: reduction of the action (EN 1998-1, 4.4.3.2(2)); without the key that of the country for the importance
+            class. NTC 2018 has none: the action is that of SLD, or of SLO in classes of use III and IV.
 
-    Source: EN 1998-1:2004, 4.4.3.2(1), Eqs. 4.31-4.33.
+    Source: EN 1998-1:2004, 4.4.3.2(1), Eqs. 4.31-4.33; NTC 2018, 7.3.6.1.
     """
 
     limit: Literal["brittle", "ductile", "none_attached", "none"] = "ductile"
@@ -201,6 +212,8 @@ class Serviceability(Model):
 
 class PartialFactors(Model):
     """Partial factors of EN 1993-1-1, 6.1 and of EN 1990, Table A1.2(B); the country's where they are not given.
+
+    With NTC 2018 they are those of its Tables 4.2.VII and 2.6.I.
 
     Attributes:
         M0: partial factor of cross-sections (EN 1993-1-1, 6.1).
@@ -360,7 +373,7 @@ class Select(Model):
         columns_not_larger_above: whether no column has a larger area than the one below it.
         starts: points from which the search starts, beside the sections of the file.
         evaluations: how many designs the search may ask for.
-        leave_out: clauses of EN 1998-1 that the design need not meet; the run reports them all the same.
+        leave_out: clauses of the seismic code that the design need not meet; the run reports them all the same.
     """
 
     lists: SectionLists = SectionLists()
@@ -380,8 +393,8 @@ class Design(Model):
 
     Attributes:
         code: codes and their editions.
-        level: hazard level of the design; without the key the only one.
-        ductility_class: ductility class DCL, DCM or DCH.
+        level: hazard level of the design; without the key the only one, or that of SLV (NTC 2018).
+        ductility_class: ductility class DCL, DCM or DCH; by NTC 2018 non dissipative, CD"B" or CD"A".
         systems: structural type and behaviour factor in each direction.
         regular_in_plan: if not, the default of alpha_u / alpha_1 is smaller (EN 1998-1, 6.3.2(4)); `auto` as it is
             found.
@@ -401,7 +414,8 @@ class Design(Model):
         fundamental: combinations for persistent situations (EN 1990, 6.4.3.2).
         serviceability: limits under characteristic combinations.
         partial_factors: partial factors; without a key that of the country.
-        overstrength: material overstrength gamma_ov (EN 1998-1, 6.2(3)); without the key that of the country.
+        overstrength: material overstrength gamma_ov (EN 1998-1, 6.2(3)); without the key that of the country, or of the
+            steels (NTC 2018, 7.5.1).
         members: how members are checked.
         select: how `edesign design` chooses sections.
     """

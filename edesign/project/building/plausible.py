@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from edesign.project.actions.hazard import EC8Hazard
 from edesign.project.building.building import Building
 from edesign.project.building.design import KINDS
 from edesign.project.building.layout import Panel
@@ -209,8 +210,8 @@ def _values(building: Building) -> Iterator[tuple[Keys, float, Range]]:
     """The values that have bounds, with their places; zero loads have none."""
     for along in ("x", "y"):
         yield from _lengths(("plan", along), getattr(building.plan, along), "width", WIDTH)
-    hazard = building.design_hazard
-    if hazard is not None and hazard.a_gR is not None:
+    hazard = building.hazard
+    if isinstance(hazard, EC8Hazard) and hazard.a_gR is not None:
         yield ("hazard", "a_gR"), hazard.a_gR, GROUND
     yield from _factors(building)
     yield from _lengths(("storeys",), building.storeys, "height", HEIGHT)

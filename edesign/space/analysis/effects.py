@@ -80,9 +80,14 @@ def largest(effects: Effects, combinations: Sequence[Combination]) -> np.ndarray
         combinations: of load cases and responses.
     """
     found = np.zeros(effects.static.shape[1:])
-    alike = {  # which differ in signs of the seismic action only
-        (tuple(sorted(row.static.items())), tuple(np.abs(row.seismic)), row.directions): row for row in combinations
-    }
-    for combination in alike.values():
+    for combination in distinct(combinations):
         np.maximum(found, np.abs(effects.of_static(combination)) + effects.of_seismic(combination), out=found)
     return found
+
+
+def distinct(combinations: Sequence[Combination]) -> list[Combination]:
+    """Return combinations of which no two differ in signs of the seismic action alone."""
+    alike = {
+        (tuple(sorted(row.static.items())), tuple(np.abs(row.seismic)), row.directions): row for row in combinations
+    }
+    return list(alike.values())

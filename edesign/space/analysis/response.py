@@ -16,6 +16,7 @@ from edesign.codes.ec8 import DesignSpectrum, ElasticSpectrum
 from edesign.codes.ec8.lateral_force import base_shear, lateral_forces
 from edesign.codes.ec8.modal_combination import close_modes, cqc_coefficients
 from edesign.codes.ec8.torsion import accidental_moments
+from edesign.codes.ntc2018 import NtcDesignSpectrum, NtcSpectrum
 from edesign.core.space import Points, SpaceModel, combine, combine_internal
 from edesign.core.space_modes import SpaceModes
 from edesign.errors import InputError
@@ -26,6 +27,9 @@ if TYPE_CHECKING:
     from edesign.project.building.design import Design
     from edesign.space.analysis.bracing import Bracing
     from edesign.space.checks.foundations import Supports
+
+AnyDesignSpectrum = DesignSpectrum | NtcDesignSpectrum
+AnyElasticSpectrum = ElasticSpectrum | NtcSpectrum | NtcDesignSpectrum
 
 STATIONS = np.array([0.0, 1.0 / 6.0, 1.0 / 3.0, 0.5, 2.0 / 3.0, 5.0 / 6.0, 1.0])
 """Places along a member as fractions of its length: loads of secondary beams at third points fall on them."""
@@ -63,13 +67,14 @@ class SeismicResponse:
         F_b: base shear of the lateral force method, which accidental torsion goes by, N.
         storey_shear: (n_storeys,) N.
         drift: (n_storeys,) d_e: the largest of the storey's columns, of the design spectrum without q_d, m.
-        drift_elastic: (n_storeys,) the same of the elastic spectrum, m.
+        drift_elastic: (n_storeys,) the same of the elastic spectrum of the analysis, m.
+        T_1: period of the mode in which most of the mass moves along the axis, s.
         internal: (n_members, n_stations, 6) as in StaticResponse.
         reactions: (n_supports, 6) of the supports on the frame, N and N m.
     """
 
     axis: Axis
-    spectrum: DesignSpectrum
+    spectrum: AnyDesignSpectrum
     acceleration: np.ndarray
     lower_bound: np.ndarray
     base_shear: float
@@ -80,6 +85,7 @@ class SeismicResponse:
     drift_elastic: np.ndarray
     internal: np.ndarray
     reactions: np.ndarray
+    T_1: float
 
 
 @dataclass(frozen=True)
@@ -88,7 +94,7 @@ class ResponseSpectrumAnalysis:
 
     Attributes:
         model, frame: the structure.
-        elastic: spectrum of the drifts that cap q d_e (4.3.4(3)).
+        elastic: spectrum of the drifts that cap q d_e (EN 1998-1, 4.3.4(3)), or that NTC 2018, 7.3.6.1, limits.
         design: how modes are combined, their damping, and accidental torsion.
         bracing: what braces bring to columns and beams.
         supports: of the frame.
@@ -96,12 +102,12 @@ class ResponseSpectrumAnalysis:
 
     model: SpaceModel
     frame: SpaceFrame
-    elastic: ElasticSpectrum
+    elastic: AnyElasticSpectrum
     design: Design
     bracing: Bracing
     supports: Supports
 
-    def response(self, modes: SpaceModes, axis: Axis, spectrum: DesignSpectrum) -> SeismicResponse:
+    def response(self, modes: SpaceModes, axis: Axis, spectrum: AnyDesignSpectrum) -> SeismicResponse:
         """Return the effects of the seismic action in one direction, with accidental torsion.
 
         Torsion is a static load case of the moments e_ai F_i (4.3.3.3.3), whose effects are added to those of the modes
@@ -146,7 +152,7 @@ class ResponseSpectrumAnalysis:
         self,
         modes: SpaceModes,
         axis: Axis,
-        spectrum: DesignSpectrum,
+        spectrum: AnyDesignSpectrum,
         torsion: float,
         mass_shift: np.ndarray | None = None,
     ) -> SeismicResponse:
@@ -192,15 +198,24 @@ class ResponseSpectrumAnalysis:
             drift_elastic=drifts(amplitude_elastic, self._lateral_base_shear(modes, axis, self.elastic)),
             internal=internal + twist.internal,
             reactions=reactions + twist.reactions,
+            T_1=self._main_period(modes, axis),
         )
 
-    def _lateral_base_shear(self, modes: SpaceModes, axis: Axis, spectrum: DesignSpectrum | ElasticSpectrum) -> float:
+    def _main_period(self, modes: SpaceModes, axis: Axis) -> float:
+        """Return the period of the mode in which most of the mass moves along an axis, s."""
+        return float(modes.period[modes.effective_mass_ratio[:, AXES.index(axis)].argmax()])
+
+    def _lateral_base_shear(
+        self, modes: SpaceModes, axis: Axis, spectrum: AnyDesignSpectrum | AnyElasticSpectrum
+    ) -> float:
         """Return F_b (4.3.3.2.2); T_1 is the period of the mode in which most of the mass moves along the axis."""
-        T_1 = float(modes.period[modes.effective_mass_ratio[:, AXES.index(axis)].argmax()])
-        frame = self.frame
-        corner = self.elastic.parameters.T_C
+        T_1, frame = self._main_period(modes, axis), self.frame
         return base_shear(
-            float(spectrum.acceleration(T_1)), frame.acting_mass, T_1, corner, frame.n_floors - frame.held
+            float(spectrum.acceleration(T_1)),
+            frame.acting_mass,
+            T_1,
+            corner_period(spectrum),
+            frame.n_floors - frame.held,
         )
 
     def _accidental_torsion(self, axis: Axis, F_b: float, ratio: float) -> _Twist:
@@ -251,7 +266,13 @@ def gravity_above(frame: SpaceFrame, factors: Mapping[str, float]) -> np.ndarray
     return np.asarray(np.cumsum(at_floor[::-1])[::-1])
 
 
-def _without_beta(spectrum: DesignSpectrum) -> DesignSpectrum:
+def corner_period(spectrum: AnyDesignSpectrum | AnyElasticSpectrum) -> float:
+    """Return T_C, s."""
+    corners = spectrum.corners
+    return corners["T_C"] if isinstance(corners, Mapping) else corners[1]
+
+
+def _without_beta(spectrum: AnyDesignSpectrum) -> AnyDesignSpectrum:
     return replace(spectrum, beta=0.0)
 
 

@@ -7,15 +7,16 @@ of gravity, S_vd / g. The columns below have the moments of the same share, and 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from edesign.codes.ec8 import VerticalSpectrum
-from edesign.codes.ec8.design import vertical_design_spectrum
+from edesign.codes.ec8.design import LARGEST_VERTICAL_Q, vertical_design_spectrum
 from edesign.codes.ec8.directions import vertical_component_counts
 from edesign.codes.en1990.combinations import Combination
+from edesign.codes.ntc2018 import NtcDesignSpectrum, NtcVerticalSpectrum
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.space.analysis.bracing import joined_beams
 from edesign.space.analysis.effects import Effects
@@ -77,18 +78,24 @@ class VerticalComponent:
         return Effects((*effects.cases, CASE), np.concatenate([effects.static, found]), effects.seismic)
 
 
-def vertical_component(frame: SpaceFrame, elastic: VerticalSpectrum, beta: float) -> VerticalComponent | None:
+def vertical_component(
+    frame: SpaceFrame,
+    elastic: VerticalSpectrum | NtcVerticalSpectrum,
+    beta: float,
+    counts: Callable[[float, float, float], bool] = vertical_component_counts,
+) -> VerticalComponent | None:
     """Return the members that the vertical component concerns; None if there are none.
 
     Args:
         beta: lower bound factor of the design spectrum.
+        counts: whether it counts for a member, by a_vg, span and length of a cantilever.
 
-    Source: EN 1998-1:2004, 4.3.3.5.2(1)-(3); q = 1.5 (3.2.2.5(6)).
+    Source: EN 1998-1:2004, 4.3.3.5.2(1)-(3); q = 1.5 (3.2.2.5(6)). NTC 2018, 7.2.2, and 7.3.1 with the same q.
     """
     a_vg = elastic.zero_period
     beams, spans, ends = [], [], []
     for run, length, cantilever in _spans(frame):
-        if vertical_component_counts(a_vg, 0.0 if cantilever else length, length if cantilever else 0.0):
+        if counts(a_vg, 0.0 if cantilever else length, length if cantilever else 0.0):
             beams += run
             first, last = (frame.members[number] for number in (run[0], run[-1]))
             spans.append(f"{first.name} ({length:g} m{', cantilever' if cantilever else ''})")
@@ -102,7 +109,12 @@ def vertical_component(frame: SpaceFrame, elastic: VerticalSpectrum, beta: float
         same = np.abs(lines - frame.coordinates[node, :2]).max(axis=1) < 1e-9 * frame.levels[-1]
         from_ends[same & (tops <= frame.level_of_nodes[node]), side, beams.index(number)] = 1.0
     below = from_ends.any(axis=(1, 2))
-    plateau = float(vertical_design_spectrum(elastic, beta=beta).acceleration(elastic.parameters.T_B))
+    reduced = (
+        NtcDesignSpectrum(elastic, LARGEST_VERTICAL_Q)
+        if isinstance(elastic, NtcVerticalSpectrum)
+        else vertical_design_spectrum(elastic, beta=beta)
+    )
+    plateau = float(reduced.acceleration(elastic.corners["T_B"]))
     return VerticalComponent(np.array(beams), frame.columns[below], from_ends[below], a_vg, plateau, tuple(spans))
 
 

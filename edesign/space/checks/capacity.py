@@ -5,7 +5,7 @@ EN 1998-1:2004, 6.6.3(1)P, 6.7.4(1) and 4.4.2.3(4).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -20,9 +20,12 @@ from edesign.codes.ec3.cross_section import (
 )
 from edesign.codes.ec8.capacity import overstrength as strength_over_demand
 from edesign.codes.ec8.strong_column import LEAST_RATIO, is_exempt, strength_ratio
+from edesign.codes.en1990.combinations import Combination
+from edesign.codes.ntc2018.capacity import overstrength_beside_gravity
 from edesign.codes.rule_check import first_of_largest
 from edesign.frame.sections.steel_section import SteelSection
 from edesign.project.building.building import Steel
+from edesign.space.analysis.effects import Effects, distinct
 from edesign.space.structure.frame import AXES, Axis, Member, SpaceFrame
 
 N, M_Y = 0, 4  # places in internal forces
@@ -112,6 +115,7 @@ def overstrength(
     axis: Axis,
     system: str,
     gamma_M0: float,
+    beside: tuple[Effects, Sequence[Combination]] | None = None,
 ) -> Overstrength:
     """Return Omega of one direction: the least of M_pl,Rd / M_Ed of beams, or of N_pl,Rd / N_Ed of diagonals.
 
@@ -121,16 +125,21 @@ def overstrength(
         members: numbers of the dissipative members of this direction.
         system: structural type in this direction.
         gamma_M0: partial factor.
+        beside: effects and seismic combinations, where gravity takes its part of the resistance of beams first.
 
     Returns:
         Omega and the ratio of every dissipative member.
 
-    Source: EN 1998-1:2004, 6.6.3(1)P for moment frames, 6.7.4(1) for concentric bracings.
+    Source: EN 1998-1:2004, 6.6.3(1)P for moment frames, 6.7.4(1) for concentric bracings; NTC 2018, 7.5.4.2 and 7.5.5.
     """
     if not members.size:
         return Overstrength(axis, members, np.zeros(0), 1.0, "")
     if system == "moment_frame":
         resistance = by_section(frame, materials, lambda of, steel: moment_resistance(of.W_pl_y, steel.fy, gamma_M0))
+        if beside is not None:
+            ratios = _beside_gravity(frame, resistance[members], members, *beside)
+            least = first_of_largest(-ratios)
+            return Overstrength(axis, members, ratios, float(ratios[least]), frame.members[members[least]].name)
         effect = np.where(frame.passes_moment[members], acting[members][:, [0, -1], M_Y], 0.0).max(axis=1)
     else:
         resistance = by_section(frame, materials, lambda of, steel: axial_resistance(of.A, steel.fy, gamma_M0))
@@ -138,6 +147,24 @@ def overstrength(
     ratios = strength_over_demand(resistance[members], effect)
     least = first_of_largest(-ratios)
     return Overstrength(axis, members, ratios, float(ratios[least]), frame.members[members[least]].name)
+
+
+def _beside_gravity(
+    frame: SpaceFrame,
+    resistance: np.ndarray,
+    members: np.ndarray,
+    effects: Effects,
+    combinations: Sequence[Combination],
+) -> np.ndarray:
+    """Return the least (M_pl,Rd - M_Ed,G) / M_Ed,E of both ends of beams over combinations, (n,)."""
+    of = Effects(effects.cases, effects.static[:, members], effects.seismic[:, members])
+    rigid = frame.passes_moment[members]
+    found = np.full(members.size, np.inf)
+    for row in distinct(combinations):
+        gravity, seismic = (values[:, [0, -1], M_Y] for values in (of.of_static(row), of.of_seismic(row)))
+        ratios = overstrength_beside_gravity(resistance[:, None], gravity, np.where(rigid, seismic, 0.0))
+        np.minimum(found, ratios.min(axis=1), out=found)
+    return found
 
 
 def joints(

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
-from edesign.codes.ec3.cross_section import moment_resistance, shear_resistance
+from edesign.codes.ec3.cross_section import axial_resistance, moment_resistance, shear_resistance
 from edesign.codes.ec8.moment_frames import SHEAR_LIMIT, column_hinge_shear
 from edesign.codes.en1990.combinations import Combination
 from edesign.codes.rule_check import RuleCheck, at_most, first_of_largest
@@ -49,6 +49,7 @@ def base_criteria(
     axis: Axis,
     highest: int,
     gamma_M0: float,
+    axial: float | None = None,
 ) -> Iterator[RuleCheck]:
     """Yield the rules for hinges at the column bases: class of the section, and shear with M_pl,Rd at the column base.
 
@@ -64,8 +65,9 @@ def base_criteria(
         axis: of the moment frame.
         highest: class that dissipative sections may have.
         gamma_M0: partial factor.
+        axial: largest N_Ed / N_pl,Rd; None: there is no limit.
 
-    Source: EN 1998-1:2004, 6.5.3(2); 6.6.3(2) and (4), Eq. 6.7.
+    Source: EN 1998-1:2004, 6.5.3(2); 6.6.3(2) and (4), Eq. 6.7; NTC 2018, 7.5.3.2, Eq. 7.5.3.
     """
     bases = np.setdiff1d(bases, frame.unclassified)
     if not bases.size:
@@ -81,6 +83,12 @@ def base_criteria(
         if of > worst:
             worst, where = of, name
     yield at_most("6.5.3(2)", f"class of columns at hinges at their bases, direction {axis}", highest, worst, where)
+    if axial is not None:
+        N_pl = by_section(frame, materials, lambda of, steel: axial_resistance(of.A, steel.fy, gamma_M0))[bases]
+        share = acting[:, 0, N] / N_pl
+        most = first_of_largest(share)
+        text = f"N_Ed / N_pl,Rd of columns at hinges at their bases, direction {axis}"
+        yield at_most("NTC 2018, 7.5.3.2", text, axial, float(share[most]), frame.members[bases[most]].name)
     about_y = bend_about_y(frame, bases, axis)
     head = np.where(about_y, acting[:, -1, M_Y], acting[:, -1, M_Z])
     resistances = np.array(

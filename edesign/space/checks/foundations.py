@@ -18,7 +18,7 @@ from edesign.space.analysis.response import SeismicResponse, StaticResponse
 from edesign.space.analysis.storeys import Storeys
 from edesign.space.checks.capacity import Overstrength, bend_about_y, column_moments
 from edesign.space.checks.column_bases import M_Y, M_Z, N, hinged_bases
-from edesign.space.structure.design_block import MOMENT_FRAME, design_of, system_of
+from edesign.space.structure.design_block import MOMENT_FRAME, design_of, rules_of, system_of
 from edesign.space.structure.frame import AXES, Axis, SpaceFrame
 
 COMPONENTS = ("F_x", "F_y", "F_z", "M_x", "M_y", "M_z")
@@ -159,9 +159,12 @@ def foundation_factors(
     Returns:
         gamma_Rd Omega, (2, s); whether Omega is that of the column base, (2, s).
 
-    Source: EN 1998-1:2004, 4.4.2.6(4)-(6).
+    Source: EN 1998-1:2004, 4.4.2.6(4)-(6); NTC 2018, 7.2.5: 1.1 in class B, 1.3 in class A, whatever Omega is.
     """
     design = design_of(building)
+    if of_class := rules_of(design).foundations:
+        factor = np.full((2, of.nodes.size), of_class[design.ductility_class])
+        return factor, np.zeros((2, of.nodes.size), dtype=bool)
     if design.ductility_class == "low":
         return np.ones((2, of.nodes.size)), np.zeros((2, of.nodes.size), dtype=bool)
     frames = [axis for axis in AXES if system_of(design, axis).type == MOMENT_FRAME]
@@ -191,6 +194,7 @@ def foundations(
     seismic: Sequence[Combination],
     factor: np.ndarray,
     of_base: np.ndarray,
+    whole: bool = False,
 ) -> Foundations:
     """Return the reactions at all supports and the design actions on foundations.
 
@@ -200,11 +204,12 @@ def foundations(
         storeys: with the factors for second-order effects, of which that of the lowest storey counts.
         factor: gamma_Rd Omega, by `foundation_factors`.
         of_base: whether it is that of the column base, by `foundation_factors`.
+        whole: the factor is on all that the superstructure brings; gravity has it where that is worse.
 
     Returns:
         Reactions and design actions at the supports.
 
-    Source: EN 1998-1:2004, 4.4.2.6(4), Eq. 4.30.
+    Source: EN 1998-1:2004, 4.4.2.6(4), Eq. 4.30; NTC 2018, 7.2.5.
     """
     reactions = static.reactions[:, of.nodes]
     acting = np.stack([response[axis].reactions * storeys[axis].amplification[0] for axis in AXES])
@@ -216,8 +221,9 @@ def foundations(
         steady = np.tensordot([row.static.get(case, 0.0) for case in static.names], reactions, 1)
         x, y = (abs(share) * of_axis for share, of_axis in zip(row.seismic[:2], raised, strict=True))
         alternating = np.sqrt(x**2 + y**2) if row.directions == "srss" else x + y
-        least.append(steady - alternating)
-        largest.append(steady + alternating)
+        also = steady * factor.max() if whole else steady
+        least.append(np.minimum(steady, also) - alternating)
+        largest.append(np.maximum(steady, also) + alternating)
         names.append(row.name)
     nodes = tuple(frame.node_names[node] for node in of.nodes)
     return Foundations(

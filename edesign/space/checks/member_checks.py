@@ -45,7 +45,7 @@ from edesign.space.analysis.response import STATIONS
 from edesign.space.checks.buckling_moments import FreeBeamMoments, FreeBeams
 from edesign.space.checks.capacity import Overstrength, bends_about_y
 from edesign.space.checks.steel_member import SteelMember
-from edesign.space.structure.design_block import MOMENT_FRAME, design_of, system_of
+from edesign.space.structure.design_block import MOMENT_FRAME, design_of, rules_of, system_of
 from edesign.space.structure.frame import AXES, NO_DIAPHRAGM, Axis, Member, SpaceFrame
 
 PERSISTENT, SEISMIC, CAPACITY, YIELDED, VERTICAL, VERTICAL_CAPACITY = range(6)
@@ -114,6 +114,7 @@ class MemberChecker:
     ) -> None:
         self._building = building
         self._design = design_of(building)
+        self._rules = rules_of(self._design)
         self._masks = _masks(frame, self._design, dissipative, bracing.halves, vertical)
         self._section = frame.section
         roles = _roles_of(self._design, frame, bracing)
@@ -163,7 +164,7 @@ class MemberChecker:
         applies = found.combination >= 0
         return MemberResults(
             checks=tuple(check.name for check in Check),
-            clauses=tuple(CLAUSES[check] for check in Check),
+            clauses=tuple(self._rules.told(CLAUSES[check]) for check in Check),
             utilisation=np.where(applies, found.utilisation, np.nan),
             combination=np.where(applies, found.combination + 1, 0),
             station=np.where(applies, STATIONS[np.maximum(found.station, 0)], np.nan),

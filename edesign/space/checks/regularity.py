@@ -12,21 +12,23 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from edesign.codes.building_rules import BuildingRules
 from edesign.codes.ec8.lateral_force import lateral_forces
 from edesign.codes.ec8.regularity import (
+    ChangeLimits,
     eccentricity_and_radius,
     gradual_mass,
     gradual_stiffness,
     recess,
-    setbacks,
     slenderness,
     torsional_radius,
 )
 from edesign.codes.rule_check import RuleCheck, at_most
 from edesign.core.space import SpaceModel
 from edesign.project.building.building import Building
+from edesign.project.building.design import Design
 from edesign.project.building.places import parts_of
-from edesign.space.structure.design_block import Regular, design_of
+from edesign.space.structure.design_block import MOMENT_FRAME, Regular, design_of, rules_of, system_of
 from edesign.space.structure.frame import AXES, NO_DIAPHRAGM, SpaceFrame
 from edesign.space.structure.plan_outline import recess_areas
 
@@ -61,7 +63,8 @@ class Shape:
 
 def shape(building: Building, frame: SpaceFrame) -> Shape:
     """Return the rules for the shape of a building."""
-    return Shape(tuple(_shape_of_plan(building, frame)), tuple(_shape_of_elevation(frame)))
+    rules = rules_of(design_of(building))
+    return Shape(tuple(_shape_of_plan(building, frame)), tuple(_shape_of_elevation(frame, rules)))
 
 
 def regularity(
@@ -83,13 +86,16 @@ def regularity(
         The regularity; the criteria.
     """
     design = design_of(building)
-    of = _floor_stiffness(frame, model)
+    of, limits = _floor_stiffness(frame, model), rules_of(design).changes
     plan, elevation = [*of_shape.plan, *_counted(frame, _torsion(of))], list(of_shape.elevation)
+    gradual = _counted(frame, _gradual(frame, of, limits, design))
+    if limits is not None:  # the code has figures, and the storeys count
+        elevation, gradual = [*elevation, *gradual], []
     asked = design.regular_in_plan, design.regular_in_elevation
     holds = all(rule.passed for rule in plan), all(rule.passed is not False for rule in elevation)
     regular = Regular(*(found if claim == "auto" else claim for claim, found in zip(asked, holds, strict=True)))
     claimed = [*_as_claimed(plan, asked[0] is True), *_as_claimed(elevation, asked[1] is True)]
-    return regular, [*claimed, *_counted(frame, _gradual(frame, of))]
+    return regular, [*claimed, *gradual]
 
 
 def _counted(frame: SpaceFrame, rules: Iterable[RuleCheck]) -> list[RuleCheck]:
@@ -110,13 +116,20 @@ def _as_claimed(rules: Iterable[RuleCheck], claimed: bool) -> list[RuleCheck]:
     ]
 
 
-def _gradual(frame: SpaceFrame, of: FloorStiffness | None) -> list[RuleCheck]:
-    """Return the changes of mass and stiffness from storey to storey, for information."""
+def _gradual(
+    frame: SpaceFrame, of: FloorStiffness | None, limits: ChangeLimits | None, design: Design
+) -> list[RuleCheck]:
+    """Return the changes of mass and stiffness from storey to storey, for information where the code has no figures.
+
+    Braced steel frames that take half of the base shear are regular in stiffness by NTC 2018, 7.2.1 e: their changes
+    inform.
+    """
     mass = _floor_masses(frame)
-    found = [gradual_mass(mass)] if (mass > 0.0).all() else []
+    found = [gradual_mass(mass, limits)] if (mass > 0.0).all() else []
     if of is not None:
         for number, axis in enumerate(AXES):
-            rules = gradual_stiffness(of.storey[number])
+            braced = system_of(design, axis).type != MOMENT_FRAME
+            rules = gradual_stiffness(of.storey[number], None if braced else limits)
             found += [replace(rule, text=f"{rule.text}, direction {axis}") for rule in rules]
     return found
 
@@ -133,12 +146,12 @@ def _shape_of_plan(building: Building, frame: SpaceFrame) -> list[RuleCheck]:
     return [slenderness(*extent), max(each, key=lambda rule: rule.value or 0.0)]
 
 
-def _shape_of_elevation(frame: SpaceFrame) -> list[RuleCheck]:
+def _shape_of_elevation(frame: SpaceFrame, code: BuildingRules) -> list[RuleCheck]:
     found = []
     for number, axis in enumerate(AXES):
         floors = range(frame.held + 1, frame.n_floors + 1)
         places = [frame.coordinates[frame.level_of_nodes == floor, number] for floor in floors]
-        rules = setbacks([of.min() for of in places], [of.max() for of in places], frame.heights[frame.held + 1 :])
+        rules = code.setbacks([of.min() for of in places], [of.max() for of in places], frame.heights[frame.held + 1 :])
         found += [replace(rule, text=f"{rule.text}, direction {axis}") for rule in rules]
     return [*_counted(frame, found), *_interrupted(frame)]
 

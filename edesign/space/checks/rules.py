@@ -7,9 +7,11 @@ from functools import cache
 
 import numpy as np
 
+from edesign.codes.building_rules import BuildingRules
 from edesign.codes.ec3.buckling import critical_force
 from edesign.codes.ec3.buckling import slenderness as flexural_slenderness
-from edesign.codes.ec8.behaviour_factor import alpha_ratio, behaviour_factor, largest_section_class
+from edesign.codes.ec8.behaviour_factor import alpha_ratio
+from edesign.codes.ec8.capacity import OVERSTRENGTH
 from edesign.codes.ec8.concentric_braces import FEW_STOREYS, asymmetry, homogeneity, slenderness
 from edesign.codes.ec8.modal_combination import check_modes
 from edesign.codes.ec8.moment_frames import rotation_capacity
@@ -24,7 +26,7 @@ from edesign.project.building.building import Building, Steel
 from edesign.project.building.design import Design, System
 from edesign.space.analysis.storeys import Storeys
 from edesign.space.checks.capacity import Joint, Overstrength, by_section
-from edesign.space.structure.design_block import MOMENT_FRAME, Regular, design_of, system_of
+from edesign.space.structure.design_block import MOMENT_FRAME, Regular, design_of, rules_of, system_of
 from edesign.space.structure.frame import AXES, Axis, Member, SpaceFrame
 
 _PATTERNS = {"cross": "x", "chevron": "v", "v": "v"}  # words of EN 1998-1, 6.7.3, for those of the file
@@ -39,11 +41,11 @@ def largest_q(building: Building, system: System, axis: Axis, low_ductility_q: f
         low_ductility_q: of the country.
         regular: whether the building is.
 
-    Source: EN 1998-1:2004, 6.3.2, Table 6.2.
+    Source: EN 1998-1:2004, 6.3.2, Table 6.2; NTC 2018, 7.3.1, Table 7.3.II.
     """
     design = design_of(building)
     default = alpha_ratio(system.type, building.n_storeys, building.n_bays(axis), regular.plan)
-    return behaviour_factor(
+    return rules_of(design).largest_q(
         system.type,
         design.ductility_class,
         system.alpha_u_over_alpha_1 or default,
@@ -52,10 +54,12 @@ def largest_q(building: Building, system: System, axis: Axis, low_ductility_q: f
     )
 
 
-def modal_criteria(modes: SpaceModes) -> list[RuleCheck]:
+def modal_criteria(modes: SpaceModes, rules: BuildingRules) -> list[RuleCheck]:
     """Return whether the modes taken have enough mass in both directions."""
+    asked = rules.modal_mass, rules.every_large_mode
     return [
-        check_modes(modes.effective_mass_ratio[:, number], modes.period.size, axis) for number, axis in enumerate(AXES)
+        check_modes(modes.effective_mass_ratio[:, number], modes.period.size, axis, *asked)
+        for number, axis in enumerate(AXES)
     ]
 
 
@@ -109,7 +113,7 @@ def allowed_class(design: Design, q: float, limit: float, regular: Regular) -> i
         The class, 1 to 4.
     """
     reference = limit if regular.elevation else limit / IRREGULAR_Q
-    return largest_section_class(design.ductility_class, min(q, reference))
+    return rules_of(design).section_class(design.ductility_class, min(q, reference))
 
 
 @cache
@@ -124,8 +128,12 @@ def dissipative_class(section: SteelSection, fy: float, bent: bool) -> SectionCl
     return section_class(section, fy, 0.0 if bent else -1.0, about_y=bent)
 
 
-def storey_criteria(storeys: Storeys) -> Iterator[RuleCheck]:
-    """Yield whether second-order effects and drifts of one direction are within limits; the worst storey counts."""
+def storey_criteria(storeys: Storeys, drift: str = "nu d_r / h") -> Iterator[RuleCheck]:
+    """Yield whether second-order effects and drifts of one direction are within limits; the worst storey counts.
+
+    Args:
+        drift: what the code calls the drift that is limited.
+    """
     worst = int(storeys.theta.argmax())
     yield at_most(
         "4.4.2.2(3)",
@@ -138,7 +146,7 @@ def storey_criteria(storeys: Storeys) -> Iterator[RuleCheck]:
         worst = int(storeys.reduced.argmax())
         yield at_most(
             "4.4.3.2(1)",
-            f"nu d_r / h, direction {storeys.axis}",
+            f"{drift}, direction {storeys.axis}",
             storeys.limit,
             float(storeys.reduced[worst]),
             f"storey {worst + 1}",
@@ -165,8 +173,11 @@ def connection_criteria(design: Design, axis: Axis, q: float) -> list[RuleCheck]
     Returns:
         One criterion, or none where the class of ductility asks for no rotation.
 
-    Source: EN 1998-1:2004, 6.6.4(3).
+    Source: EN 1998-1:2004, 6.6.4(3); NTC 2018, 7.5.4.3 and 7.5.4.5: 1.1 gamma_ov.
     """
+    if rules_of(design).clauses:
+        text = f"M_j,Rd over M_pl,Rd of beams at their connections and of columns at their feet, direction {axis}: at least"
+        return [RuleCheck("6.6.4(3)", text, None, OVERSTRENGTH * design.overstrength, "", None, "to be shown for each")]
     rotation = rotation_capacity(design.ductility_class, q)
     text = f"rotation capacity of beam to column connections, direction {axis}, rad"
     return [RuleCheck("6.6.4(3)", text, None, rotation, "rad", None, "to be shown by tests")] if rotation else []
@@ -219,7 +230,8 @@ def bracing_criteria(building: Building, frame: SpaceFrame, overstrength: Overst
         for value, member in zip(slender, members, strict=True)
     ]
     found = [max(of_braces, key=lambda rule: (rule.passed is False, rule.value or 0.0))]
-    if frame.n_floors > FEW_STOREYS:
+    rules = rules_of(design_of(building))
+    if frame.n_floors > FEW_STOREYS or rules.clauses:
         found.append(homogeneity(overstrength.ratios, f", direction {axis}"))
     numbers = overstrength.members
     start, end = (nodes[numbers] for nodes in frame.ends)
@@ -232,4 +244,23 @@ def bracing_criteria(building: Building, frame: SpaceFrame, overstrength: Overst
         for storey, (one, other) in enumerate(zip(*in_storeys, strict=True), 1)
         if one + other > 0.0
     ]
-    return [*found, max(each, key=lambda rule: rule.value or 0.0)]
+    found.append(max(each, key=lambda rule: rule.value or 0.0))
+    return [*found, *_hollow_walls(frame, overstrength.members, rules.hollow_braces, axis)]
+
+
+def _hollow_walls(
+    frame: SpaceFrame, members: np.ndarray, limits: tuple[float, float] | None, axis: Axis
+) -> list[RuleCheck]:
+    """Return whether the walls of hollow diagonals are thick enough; none where the code has no limits.
+
+    The width of a flat wall is that of its class, without the corners of radius 1.5 t (EN 1993-1-1, Table 5.2).
+    """
+    found = []
+    for name in dict.fromkeys(frame.members[number].section for number in members) if limits else ():
+        section = frame.section(name)
+        if section.kind == "CHS":
+            found.append(at_most("NTC 2018, 7.5.5", f"d / t of diagonals, direction {axis}", limits[1], section.h / section.tw, name))  # type: ignore[index]
+        elif section.kind != "I":
+            width = max(section.h / section.tw, section.b / section.tf) - 3.0
+            found.append(at_most("NTC 2018, 7.5.5", f"width over thickness of diagonals, direction {axis}", limits[0], width, name))  # type: ignore[index]
+    return [max(found, key=lambda rule: rule.utilisation)] if found else []

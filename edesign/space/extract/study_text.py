@@ -182,12 +182,12 @@ def _hazard(row: FrameRow) -> EC8Hazard:
         raise InputError(f"{building.where('hazard')}: a study needs a `hazard` with `levels` [E-KEY-02]")
     if building.masses is None:
         raise InputError(f"{building.where('masses')}: a study needs `masses` [E-KEY-02]")
-    if building.design_hazard is None:
+    if not isinstance(building.hazard, EC8Hazard):
         raise InputError(
             f"{building.where('hazard', 'code')}: hazard.code: the study takes the action of `ec8-2004`, not of "
             f"`{building.hazard.code}` [E-HAZ-03]"
         )
-    return building.design_hazard
+    return building.hazard
 
 
 def _drift(row: FrameRow) -> tuple[float, str]:

@@ -22,12 +22,13 @@ from edesign.space.checks.rules import brace_slenderness
 from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign
 from edesign.space.selection.ahead import Ahead
 from edesign.space.selection.groups import Group
-from edesign.space.structure.design_block import MOMENT_FRAME, design_of, system_of
+from edesign.space.structure.design_block import MOMENT_FRAME, design_of, left_out, rules_of, system_of
 from edesign.space.structure.frame import AXES
 
 THETA, DRIFT, JOINTS, HOMOGENEOUS, SYMMETRIC = "4.4.2.2(3)", "4.4.3.2(1)", "4.4.2.3(4)", "6.7.3(8)", "6.7.1(3)"
 SLENDER = ("6.7.3(1)", "6.7.3(2)", "6.7.3(3)")
 CLASS, COLUMN_BASES, PANELS, TORSION = "6.5.3(2)", "6.6.3(4)", "6.6.3(6)", "4.2.3.2(6)"
+GRADUAL, NTC_ALONE = "4.2.3.3(3)", ("NTC 2018, 7.5.3.2", "NTC 2018, 7.5.5")
 
 FINITE = 1e6
 """What counts for an infinite utilisation, as of class 4 sections, so that sums stay numbers."""
@@ -79,7 +80,7 @@ class Evaluator:
         self._known: dict[Choice, Evaluation] = {}
         self._last: tuple[Choice, ElasticDesign] | None = None
         design = design_of(analysis.building)
-        self.searched = searched_clauses(analysis) - frozenset(design.select.leave_out)
+        self.searched = searched_clauses(analysis) - left_out(design)
         names = [group.name for group in groups]
         self._group_of_members = np.array([names.index(member.group) for member in analysis.frame.members])
         self._ahead = Ahead(self._evaluated, partial(_evaluated_by, analysis.building, self.groups), workers)
@@ -208,6 +209,8 @@ def searched_clauses(analysis: ElasticAnalysis) -> frozenset[str]:
     those of the file whatever its sections.
     """
     found = {CLASS, COLUMN_BASES, PANELS, TORSION, THETA, DRIFT, JOINTS, HOMOGENEOUS, STABLE, *SLENDER}
+    if rules_of(design_of(analysis.building)).changes is not None:
+        found |= {GRADUAL, *NTC_ALONE}
     limits = design_of(analysis.building).serviceability
     if limits.beams.total is not None or limits.beams.live is not None:
         found.add(LIMITED)
@@ -255,11 +258,13 @@ def utilisations(design: ElasticDesign, clauses: frozenset[str]) -> Mapping[str,
         Omega = design.overstrength[axis]
         if system_of(block, axis).type == MOMENT_FRAME or not Omega.members.size:
             continue
-        if design.frame.n_floors > FEW_STOREYS:
+        many = design.frame.n_floors > FEW_STOREYS
+        if many:
             steep = brace_slenderness(design.building, design.frame, Omega.members)
             found[f"{SLENDER[1]} {axis}"] = steep / SLENDERNESS["diagonal"][1]
+        if many or rules_of(block).clauses:
             found[f"{HOMOGENEOUS} {axis}"] = Omega.ratios / Omega.Omega / (1.0 + HOMOGENEITY)
-    for clause in (CLASS, COLUMN_BASES, SYMMETRIC, TORSION):
+    for clause in (CLASS, COLUMN_BASES, SYMMETRIC, TORSION, GRADUAL, *NTC_ALONE):
         rules = [rule for rule in design.criteria if rule.clause == clause and rule.passed is not None]
         found[clause] = np.array([rule.utilisation for rule in rules])
     counted = {"members", *clauses}

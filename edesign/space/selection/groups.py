@@ -15,7 +15,7 @@ from edesign.project.reading.problems import keys_text, listed
 from edesign.space.checks.member_checks import LARGEST_CLASS
 from edesign.space.checks.rules import allowed_class, dissipative_class, pattern_of, slenderness_of_one_metre
 from edesign.space.elastic_design import ElasticAnalysis
-from edesign.space.structure.design_block import design_of
+from edesign.space.structure.design_block import design_of, left_out
 from edesign.space.structure.frame import AXES
 
 
@@ -150,7 +150,7 @@ def _slender(analysis: ElasticAnalysis, group: str, members: Sequence[int]) -> C
             factor = design.members.buckling_length.of(member.kind, member.group, member.storey)
             length = max(factor.y, factor.z) * float(frame.length[number])
             pattern = pattern_of(member)
-            if member.kind == "brace" and SLENDERNESS_CLAUSES[pattern] not in design.select.leave_out:
+            if member.kind == "brace" and SLENDERNESS_CLAUSES[pattern] not in left_out(design):
                 least, most = SLENDERNESS[pattern]
                 ranges.append((least / length, most / length))
 

@@ -6,8 +6,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TypeVar
 
+from edesign.codes.building_rules import BuildingRules
+from edesign.codes.ec8.building_rules import RULES as EC8_RULES
+from edesign.codes.ntc2018.building_rules import RULES as NTC_RULES
+from edesign.codes.ntc2018.capacity import material_overstrength
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import national_of
+from edesign.project.actions.hazard import NtcHazard
 from edesign.project.building.building import Building
 from edesign.project.building.design import Design, System
 from edesign.project.reading.base import Model
@@ -15,6 +20,7 @@ from edesign.space.structure.frame import Axis
 
 M = TypeVar("M", bound=Model)
 MOMENT_FRAME = "moment_frame"
+_RULES = {rules.code: rules for rules in (EC8_RULES, NTC_RULES)}
 
 
 @dataclass(frozen=True)
@@ -32,7 +38,8 @@ class Regular:
 def design_of(building: Building) -> Design:
     """Return the block `design` of a building; what it leaves to the country has that value.
 
-    These are the partial factors, gamma_ov, and nu of the importance class of its level, II where it is of none.
+    These are the partial factors, gamma_ov, and nu of the importance class of its level, II where it is of none. By NTC
+    2018 gamma_ov follows from the steels of the file, and there is no nu.
 
     Raises:
         InputError: the file has none.
@@ -46,16 +53,33 @@ def design_of(building: Building) -> Design:
     if hazard is None:
         return design
     national = national_of(hazard)
-    level = hazard.levels.get(design.level or next(iter(hazard.levels), ""))
-    actions, of_class = national.action_factors, (level.importance_class if level is not None else None) or "II"
+    actions = national.action_factors
     factors = {**national.gamma_M, "G": actions.G_sup, "Q": actions.Q}
+    gamma_ov, nu = national.gamma_ov, 1.0
+    if isinstance(hazard, NtcHazard):
+        gamma_ov = material_overstrength(steel.fy for steel in building.materials.values())
+    else:
+        level = hazard.levels.get(building.design_level)
+        nu = national.nu((level.importance_class if level is not None else None) or "II")
     return design.model_copy(
         update={
             "partial_factors": _completed(design.partial_factors, factors),
-            "overstrength": _completed(design, {"overstrength": national.gamma_ov}).overstrength,
-            "drift": _completed(design.drift, {"nu": national.nu(of_class)}),
+            "overstrength": _completed(design, {"overstrength": gamma_ov}).overstrength,
+            "drift": _completed(design.drift, {"nu": nu}),
         }
     )
+
+
+def rules_of(design: Design) -> BuildingRules:
+    """Return the rules of the seismic code of a design."""
+    return _RULES[design.code.seismic]
+
+
+def left_out(design: Design) -> frozenset[str]:
+    """Return the clauses of EN 1998-1 by which the rules are known that sections need not meet."""
+    asked, rules = set(design.select.leave_out), rules_of(design)
+    known = {clause for clause, own in rules.clauses.items() if own in asked}
+    return frozenset(asked | known | {f"{rules.title}, {own}" for own in asked})
 
 
 def _completed(block: M, values: Mapping[str, float]) -> M:
