@@ -39,6 +39,7 @@ class BuildingRules:
         hollow_braces: largest ratios of width and of diameter to thickness of hollow braces; None: there is no limit.
         clauses: of the code, by that of EN 1998-1.
         equations: of combinations, by that of EN 1990.
+        words: what stands in texts in place of words of EN 1998-1.
     """
 
     code: str
@@ -57,6 +58,7 @@ class BuildingRules:
     hollow_braces: tuple[float, float] | None = None
     clauses: Mapping[str, str] = field(default_factory=dict)
     equations: Mapping[str, str] = field(default_factory=dict)
+    words: Mapping[str, str] = field(default_factory=dict)
 
     def clause(self, of_ec8: str) -> str:
         """Return the clause of the code with its standard for one of EN 1998-1; others stay as they are.
@@ -70,7 +72,7 @@ class BuildingRules:
         return f"EN 1998-1, {of_ec8}" if own is None else f"{self.title}, {own}"
 
     def told(self, text: str) -> str:
-        """Return a text in which clauses of EN 1998-1 are those of the code.
+        """Return a text in which clauses and words of EN 1998-1 are those of the code.
 
         Args:
             text: with clauses such as `EN 1998-1, 4.4.2.6(4)`.
@@ -82,6 +84,8 @@ class BuildingRules:
             own = self.clauses.get(found[1])
             return found[0] if own is None else f"{self.title}, {own}"
 
+        for word, own in self.words.items():
+            text = text.replace(word, own)
         return _CITED.sub(cited, _spelled_out(text))
 
     def combination(self, combination: Combination) -> Combination:

@@ -111,7 +111,7 @@ def _combinations(design: ElasticDesign) -> Group:
     for name, text in (
         ("name", "as reports print it"),
         ("set", "design situation"),
-        ("equation", "of EN 1990"),
+        ("equation", "of EN 1990, or of NTC 2018"),
         ("directions", "how the components of the seismic action add up: as a sum, or srss"),
     ):
         values = np.array([getattr(row, name) for row in design.combinations])
@@ -139,7 +139,7 @@ def _storeys(design: ElasticDesign, axis: str) -> Group:
         ("theta", "1", "interstorey drift sensitivity"),
         ("theta_q", "1", "interstorey drift sensitivity with q d_e"),
         ("amplification", "1", "factor for second-order effects"),
-        ("reduced", "1", "nu d_r / h"),
+        ("reduced", "1", "nu d_r / h; by NTC 2018 q d_r / h under SLD or SLO"),
     ):
         group.add(name, ("storey",), getattr(table, name), unit, text)
     return group

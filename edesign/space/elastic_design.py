@@ -347,10 +347,7 @@ class ElasticAnalysis:
         static = static_effects(gravity_model, model, frame, self.bracing, self.supports)
         analysis = ResponseSpectrumAnalysis(model, frame, self._capping, design, self.bracing, self.supports)
         with telling_place(building, "design", "combination"):
-            response = {
-                axis: analysis.response(modes, axis, self._design_spectrum(q[axis]))
-                for axis in AXES
-            }
+            response = {axis: analysis.response(modes, axis, self._design_spectrum(q[axis])) for axis in AXES}
         height = np.array(building.storey_heights)
         gravity = gravity_above(frame, self.seismic[0].static)
         of_storeys = {axis: storeys(response[axis], height, gravity, design, self._class_of_use) for axis in AXES}
@@ -606,12 +603,12 @@ def _notes(
     found = []
     if by_ntc:
         found.append(
-            "gamma_G of all permanent loads is that of G_1: those that are not structural are taken as well defined (NTC "
-            "2018, Table 2.6.I, note 1); otherwise give `partial_factors: {G: 1.5}`"
+            "gamma_G of all permanent loads is that of G_1: those that are not structural are taken as well defined "
+            "(NTC 2018, Table 2.6.I, note 1); otherwise give `partial_factors: {G: 1.5}`"
         )
         found.append(
-            "capacity over demand of adjacent storeys is not compared (NTC 2018, 7.2.1 f); where it differs by more than "
-            "30 %, give `regular_in_elevation: false`"
+            "capacity over demand of adjacent storeys is not compared (NTC 2018, 7.2.1 f); where it differs by more "
+            "than 30 %, give `regular_in_elevation: false`"
         )
     for axis in AXES:
         of = response[axis]
@@ -621,7 +618,11 @@ def _notes(
                 f"without it {of.base_shear_without_beta / 1e3:.0f} kN (EN 1998-1, 3.2.2.5(4)P)"
             )
         table = of_storeys[axis]
-        if not by_ntc and table.theta_q.max() > NEGLIGIBLE and round(table.theta_q.max(), 2) > round(table.theta.max(), 2):
+        if (
+            not by_ntc
+            and table.theta_q.max() > NEGLIGIBLE
+            and round(table.theta_q.max(), 2) > round(table.theta.max(), 2)
+        ):
             found.append(
                 f"theta along {axis} is up to {table.theta_q.max():.2f} with q d_e and {table.theta.max():.2f} with "
                 "the cap of the elastic spectrum (EN 1998-1, 4.3.4(3))"

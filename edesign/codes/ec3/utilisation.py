@@ -352,7 +352,9 @@ def _beam_shear(w: _Check, station: int) -> float:
     along = np.abs(w.forces.steady[:, V_Z])
     at = int(along.argmax())
     V_G = w.trace.add("V_Ed,G", along[at], "N", f"of the non-seismic actions at x = {w.forces.stations[at]:.3g} L")
-    V_M = w.trace.add("V_Ed,M", w.member.V_M, "N", "(M_pl,A + M_pl,B) / L of its hinges", "EN 1998-1, 6.6.2(2), Eq. 6.5")
+    V_M = w.trace.add(
+        "V_Ed,M", w.member.V_M, "N", "(M_pl,A + M_pl,B) / L of its hinges", "EN 1998-1, 6.6.2(2), Eq. 6.5"
+    )
     V_Rd = w.V_Rd("z")
     expression = f"(V_Ed,G + V_Ed,M) / {w.shear_symbol('z')} / {SHEAR_LIMIT}"
     return w.use((V_G + V_M) / V_Rd / SHEAR_LIMIT, expression, "EN 1998-1, 6.6.2(2), Eq. 6.4")

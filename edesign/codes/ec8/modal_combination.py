@@ -71,7 +71,9 @@ def check_modes(
         detail += f"; no other mode can have more than {LARGE_MODE:.0%}"
     if not passed:
         needed = needed_modes(ratios, enough)
-        known = f"{needed} modes are needed" if needed else f"more modes than the {ratios.size} that are known are needed"
+        known = (
+            f"{needed} modes are needed" if needed else f"more modes than the {ratios.size} that are known are needed"
+        )
         missing = f"{enough - total:.1%} are missing; {known}"
         detail += f", {missing}" if not rules[0] else f"; another mode may have {largest_left:.1%}"
     text = f"effective modal mass{where}: {100.0 * enough:g} %, {'and' if both else 'or'} every mode above 5 %"

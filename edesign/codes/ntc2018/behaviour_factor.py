@@ -12,7 +12,11 @@ LARGEST_NON_DISSIPATIVE_Q = 1.5
 
 
 def limit_of_q(
-    system: str, ductility: str, alpha_ratio: float = 1.0, regular_in_elevation: bool = True, low_ductility_q: float = 1.5
+    system: str,
+    ductility: str,
+    alpha_ratio: float = 1.0,
+    regular_in_elevation: bool = True,
+    low_ductility_q: float = 1.5,
 ) -> float:
     """Return q_lim = q_0 K_R, or q_ND of buildings that do not dissipate energy.
 

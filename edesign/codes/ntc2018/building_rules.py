@@ -65,4 +65,11 @@ RULES = BuildingRules(
         "6.7.4(2)": "7.5.5",
     },
     equations={"6.10": "2.5.1", "6.12b": "2.5.5", "6.14b": "2.5.2"},
+    words={
+        "nu d_r/h": "q d_r/h",
+        "EN 1990": TITLE,
+        "gamma_Rd Omega": "the factor of the class",
+        "Rules for the building, clauses of EN 1998-1 where no other code is named": "Rules for the building",
+        "theta_q: with q d_e; factor": "d_r is mu_d d_e; theta_q: with q d_e; factor",
+    },
 )

@@ -36,7 +36,8 @@ def check_design(building: Building, problems: Problems, files: bool = True) -> 
         problems.at_value(("hazard", "code"), message)
     elif hazard.code != design.code.seismic:
         message = (
-            f"the design is by `{design.code.seismic}` and the action by `{hazard.code}`; both are of one code, as with "
+            f"the design is by `{design.code.seismic}` and the action by `{hazard.code}`; both are of one code, as "
+            "with "
             f"`design: {{code: {{seismic: {hazard.code}}}}}` [E-HAZ-03]"
         )
         problems.at_value(("hazard", "code"), message)
@@ -102,7 +103,9 @@ def _ntc(building: Building, hazard: NtcHazard, design: Design, problems: Proble
     if design.level is not None and design.level not in hazard.levels:
         problems.at_value(("design", "level"), unknown_name("level", design.level, hazard.levels))
     elif design.level is not None and hazard.levels[design.level].limit_state != "SLV":
-        problems.at_value(("design", "level"), "the design by NTC 2018 is for SLV (7.3.6.1); name a level of it [E-HAZ-06]")
+        problems.at_value(
+            ("design", "level"), "the design by NTC 2018 is for SLV (7.3.6.1); name a level of it [E-HAZ-06]"
+        )
     wanted = {"SLV": "the strength of members"}
     ordinary = hazard.class_of_use in ("I", "II")
     if design.drift.limit != "none":
@@ -136,7 +139,9 @@ def _select(building: Building, select: Select, problems: Problems) -> None:
     assert design is not None, "select is a block of it"
     for place, clause in enumerate(select.leave_out):
         if (design.code.seismic == "ntc-2018") != clause.startswith("7."):
-            message = f"`{clause}` is no clause of the seismic code of this design, `{design.code.seismic}` [E-VALUE-03]"
+            message = (
+                f"`{clause}` is no clause of the seismic code of this design, `{design.code.seismic}` [E-VALUE-03]"
+            )
             problems.at_value(("design", "select", "leave_out", place), message)
     named = _groups(building)
     keys: Keys = ("design", "select")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from edesign.project.building.building import Building
 from edesign.project.building.design import Design
+from edesign.space.structure.design_block import rules_of
 
 Rows = list[tuple[str, str]]
 NOT_CHECKED = (
@@ -25,7 +26,7 @@ def building_assumption_rows(building: Building) -> Rows:
             ("Torsion", _torsion(building, design)),
             ("Imperfections and second order", _second_order(design)),
             ("Stability of members", _stability(design)),
-            ("Not checked", NOT_CHECKED),
+            ("Not checked", rules_of(design).told(NOT_CHECKED)),
         ]
     return rows
 
@@ -83,11 +84,14 @@ def _ground(building: Building) -> str:
 def _analysis(design: Design) -> str:
     directions = "by SRSS" if design.directions == "srss" else f"with {100 * float(design.directions):g} % of the other"
     drifts = "at most the elastic ones" if design.displacement == "elastic_cap" else "not capped"
-    return (
+    rules = rules_of(design)
+    times = "mu_d" if rules.clauses else "q"
+    drifts = "at SLV" if rules.clauses else drifts
+    return rules.told(
         f"Seismic effects are those of modal response spectrum analysis with {100 * design.damping:g} % damping; modes "
         f"are combined by {design.combination.upper()}, directions {directions}. The vertical component of the action "
         "counts for long spans alone (EN 1998-1, 4.3.3.5.2). "
-        f"Displacements are q times those of the design spectrum, {drifts}."
+        f"Displacements are {times} times those of the design spectrum, {drifts}."
     )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from edesign.codes.rule_check import first_of_largest
 from edesign.codes.trace import Step, Trace
 from edesign.errors import InputError
 from edesign.project.reading.problems import did_you_mean
+from edesign.report.building.code_in_use import rules_in_use
 from edesign.report.building.results import UNITS, BuildingResults
 from edesign.report.building.tables import Worst, worst_of_groups
 from edesign.report.tables.cell import Marked, Quantity, Value
@@ -113,7 +114,7 @@ def worked_check(results: BuildingResults, member: int, check: int) -> WorkedChe
         station = int(np.abs(forces.stations - place).argmin())
         beam = _free_beam(results, member, combination - 1)
         found = utilisation(_member(results, member), forces, name, station, beam, trace)
-    archived = float(results.values("members", "utilisation")[member, check])
+    archived, rules = float(results.values("members", "utilisation")[member, check]), rules_in_use(results)
     if found is None or not math.isclose(found, archived, rel_tol=SAME, abs_tol=SAME**2):
         trace.steps.clear()
     return WorkedCheck(
@@ -124,7 +125,7 @@ def worked_check(results: BuildingResults, member: int, check: int) -> WorkedChe
         utilisation=archived,
         combination=str(results.values("combinations", "name")[combination - 1]) if combination else "",
         number=combination,
-        steps=tuple(trace.steps),
+        steps=tuple(replace(step, clause=rules.told(step.clause)) for step in trace.steps),
     )
 
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from edesign.archive.reader import Archive
 from edesign.codes.ec8.second_order import AMPLIFIED, LARGEST, NEGLIGIBLE
+from edesign.report.building.code_in_use import rules_in_use
 from edesign.report.building.elevations import strokes
 from edesign.report.building.results import BuildingResults
 from edesign.report.drawing.captions import plain
@@ -149,7 +150,7 @@ def _storey_curves(results: BuildingResults) -> Figure:
     levels = np.concatenate([[0.0], np.cumsum(height)])
     panels = (
         ("shear", 1e3, "storey shear [kN]", ()),
-        ("reduced", 1.0, "ν dᵣ / h", _drift_limit(results)),
+        ("reduced", 1.0, "q dᵣ / h" if rules_in_use(results).clauses else "ν dᵣ / h", _drift_limit(results)),
         ("theta", 1.0, "θ", (NEGLIGIBLE, AMPLIFIED, LARGEST)),
     )
     for number, (axes, (name, unit, label, limits)) in enumerate(zip(row, panels, strict=True)):

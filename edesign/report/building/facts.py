@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from itertools import groupby
 
+from edesign.codes.ntc2018.drift import limit_state_of_drift
 from edesign.ground_motion.hazard import national_of
+from edesign.project.actions.hazard import NtcHazard
 from edesign.project.building.building import Building
-from edesign.project.building.design import Design
+from edesign.project.building.design import Design, Drift
 from edesign.report.building.results import BuildingResults
-from edesign.space.structure.design_block import design_of, system_of
+from edesign.space.structure.design_block import design_of, rules_of, system_of
 from edesign.space.structure.frame import AXES
 
 Rows = list[tuple[str, str]]
@@ -50,11 +52,13 @@ def design_rows(building: Building, results: BuildingResults) -> Rows:
     """
     design = design_of(building)
     factors, drift = design.partial_factors, design.drift
-    rows = [("Codes", ", ".join(_code(name) for name in vars(design.code).values()))]
-    rows.append(("Ductility class", {"low": "DCL", "medium": "DCM", "high": "DCH"}[design.ductility_class]))
+    rows = [("Codes", ", ".join(_codes(design)))]
+    rules = rules_of(design)
+    rows.append(("Ductility class", rules.ductility[design.ductility_class]))
     for axis in AXES:
         system = system_of(design, axis)
-        by = ", by Table 6.2 of EN 1998-1" if system.q == "table" else ", as given"
+        table = "Table 7.3.II of NTC 2018" if rules.clauses else "Table 6.2 of EN 1998-1"
+        by = f", by {table}" if system.q == "table" else ", as given"
         rows.append((f"System along {axis}", f"{_SYSTEMS[system.type]}, q = {results.number(f'q_{axis}'):.4g}{by}"))
     rows.append(("Regularity", _regularity(design, results)))
     rigid = building.diaphragms.numbers(1, building.n_storeys)
@@ -64,14 +68,22 @@ def design_rows(building: Building, results: BuildingResults) -> Rows:
     modal = f"{design.combination.upper()}; directions: {directions}; accidental eccentricity: {torsion}"
     rows.append(("Combination of modes", modal))
     capped = "at most the elastic one" if design.displacement == "elastic_cap" else "without the elastic cap"
-    rows.append(("Displacements", f"q d_e, {capped}"))
-    limit = "none" if drift.limit == "none" else f"{drift.limit.replace('_', ' ')} elements, nu = {drift.nu:g}"
-    rows.append(("Drift limit", limit))
+    rows.append(("Displacements", "mu_d d_e" if rules.clauses else f"q d_e, {capped}"))
+    rows.append(("Drift limit", "none" if drift.limit == "none" else _drift(building, drift)))
     rows.append(("Partial factors", ", ".join(f"gamma_{name} = {value:g}" for name, value in vars(factors).items())))
     rows.append(("Overstrength", f"gamma_ov = {design.overstrength:g}"))
     if left := _left_to_the_country(building):
         rows.append(("National values", f"{', '.join(left)}: {_whose(building)}"))
     return rows
+
+
+def _drift(building: Building, drift: Drift) -> str:
+    """The kind of elements that drifts are limited for, and the action."""
+    elements = f"{drift.limit.replace('_', ' ')} elements"
+    if not isinstance(building.hazard, NtcHazard):
+        return f"{elements}, nu = {drift.nu:g}"
+    use = building.hazard.class_of_use
+    return f"{elements}, {limit_state_of_drift(use)} in class of use {use}"
 
 
 def _regularity(design: Design, results: BuildingResults) -> str:
@@ -103,6 +115,8 @@ def _whose(building: Building) -> str:
     if hazard is None:
         return "recommended"
     country = national_of(hazard).country
+    if isinstance(hazard, NtcHazard):
+        return f"of {country}"
     own = ", but where `hazard: national` states them" if hazard.national.stated() else ""
     return f"{'recommended' if country is None else f'of {country}'}{own}"
 
@@ -114,10 +128,19 @@ def _left_to_the_country(building: Building) -> list[str]:
     factors = type(given.partial_factors).model_fields.keys() - given.partial_factors.model_fields_set
     left = [f"gamma_{name}" for name in vars(given.partial_factors) if name in factors]
     left += ["gamma_ov"] if "overstrength" not in given.model_fields_set else []
-    return left + (["nu"] if given.drift.limit != "none" and "nu" not in given.drift.model_fields_set else [])
+    by_country = not rules_of(given).clauses and given.drift.limit != "none"
+    return left + (["nu"] if by_country and "nu" not in given.drift.model_fields_set else [])
+
+
+def _codes(design: Design) -> list[str]:
+    """The codes of a design; actions are of NTC 2018 where its seismic rules are."""
+    names = vars(design.code) | ({"actions": "ntc-2018"} if rules_of(design).clauses else {})
+    return list(dict.fromkeys(map(_code, names.values())))
 
 
 def _code(name: object) -> str:
+    if name == "ntc-2018":
+        return "NTC 2018"
     number, _, year = str(name).partition("-")
     return f"{ {'en1990': 'EN 1990', 'ec3': 'EN 1993-1-1', 'ec8': 'EN 1998-1'}.get(number, number) }:{year}"
 

@@ -11,11 +11,12 @@ from functools import partial
 import numpy as np
 
 from edesign.archive.reader import Archive
-from edesign.codes.rule_check import first_of_largest
+from edesign.codes.rule_check import first_of_largest, with_standard
 from edesign.errors import ArchiveError
 from edesign.project.notation.printed_unit import told_apart
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.report.building.check_table import check_words, use
+from edesign.report.building.code_in_use import in_code, rules_in_use
 from edesign.report.building.deflection_table import deflection_table
 from edesign.report.building.foundation_table import foundation_table, reaction_table
 from edesign.report.building.lateral_tables import drifts_table, lateral_cases_table
@@ -177,7 +178,7 @@ def _made(archive: Archive, makes: tuple[Make, ...]) -> list[Table]:
     missing: list[str] = []
     for make in makes:
         with or_missing(missing):
-            table = make(results)
+            table = in_code(make(results), rules_in_use(results))
             tables += [table] if table.rows or not table.columns else []
     return [*tables, MISSING.of((), notes=missing)] if missing else tables
 
@@ -344,7 +345,7 @@ def failures(results: BuildingResults) -> list[str]:
     for rule in results.rows("criteria", "rule"):
         if rule["passed"] == 0:
             about = f"{rule['text']} ({rule['detail']})" if rule["detail"] else rule["text"]
-            code = f"EN 1998-1, {rule['clause']}" if rule["clause"][:1].isdigit() else rule["clause"]
+            code = with_standard(rule["clause"])
             value, limit = told_apart(finite(rule["value"]), finite(rule["required"]), significant)
             found.append(f"{about}: {value}, limit {limit} ({code})")
     return found

@@ -176,7 +176,7 @@ def connection_criteria(design: Design, axis: Axis, q: float) -> list[RuleCheck]
     Source: EN 1998-1:2004, 6.6.4(3); NTC 2018, 7.5.4.3 and 7.5.4.5: 1.1 gamma_ov.
     """
     if rules_of(design).clauses:
-        text = f"M_j,Rd over M_pl,Rd of beams at their connections and of columns at their feet, direction {axis}: at least"
+        text = f"least M_Rd / M_pl,Rd of connections of beams, and of columns to foundations, direction {axis}"
         return [RuleCheck("6.6.4(3)", text, None, OVERSTRENGTH * design.overstrength, "", None, "to be shown for each")]
     rotation = rotation_capacity(design.ductility_class, q)
     text = f"rotation capacity of beam to column connections, direction {axis}, rad"
@@ -255,12 +255,16 @@ def _hollow_walls(
 
     The width of a flat wall is that of its class, without the corners of radius 1.5 t (EN 1993-1-1, Table 5.2).
     """
-    found = []
-    for name in dict.fromkeys(frame.members[number].section for number in members) if limits else ():
+    if limits is None:
+        return []
+    found, (flat, round_) = [], limits
+    for name in dict.fromkeys(frame.members[number].section for number in members):
         section = frame.section(name)
         if section.kind == "CHS":
-            found.append(at_most("NTC 2018, 7.5.5", f"d / t of diagonals, direction {axis}", limits[1], section.h / section.tw, name))  # type: ignore[index]
+            text = f"d / t of diagonals, direction {axis}"
+            found.append(at_most("NTC 2018, 7.5.5", text, round_, section.h / section.tw, name))
         elif section.kind != "I":
+            text = f"width over thickness of diagonals, direction {axis}"
             width = max(section.h / section.tw, section.b / section.tf) - 3.0
-            found.append(at_most("NTC 2018, 7.5.5", f"width over thickness of diagonals, direction {axis}", limits[0], width, name))  # type: ignore[index]
+            found.append(at_most("NTC 2018, 7.5.5", text, flat, width, name))
     return [max(found, key=lambda rule: rule.utilisation)] if found else []

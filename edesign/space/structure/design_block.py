@@ -72,7 +72,12 @@ def design_of(building: Building) -> Design:
 
 def rules_of(design: Design) -> BuildingRules:
     """Return the rules of the seismic code of a design."""
-    return _RULES[design.code.seismic]
+    return rules_by_name(design.code.seismic)
+
+
+def rules_by_name(code: str) -> BuildingRules:
+    """Return the rules of a seismic code by its name in a building file."""
+    return _RULES[code]
 
 
 def left_out(design: Design) -> frozenset[str]:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 from functools import partial
 
+from edesign.codes.building_rules import BuildingRules
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.report.building.assumptions import building_assumption_rows
 from edesign.report.building.basis_tables import (
@@ -17,6 +19,7 @@ from edesign.report.building.basis_tables import (
 )
 from edesign.report.building.check_table import check_words, group_checks_table
 from edesign.report.building.checks import effects_table, worked_table, worked_worst
+from edesign.report.building.code_in_use import in_code, rules_in_use
 from edesign.report.building.curves import mode_shapes, spectra, storey_curves
 from edesign.report.building.deflection_table import deflection_table
 from edesign.report.building.elevations import elevations
@@ -68,7 +71,22 @@ def _section(
     for make in makers:
         with or_missing(missing):
             parts += list(make(source, results))
-    return Section(anchor, title, (), tuple(part for part in parts if not isinstance(part, Table) or _filled(part)))
+    rules = rules_in_use(results)
+    return Section(anchor, title, (), tuple(_in_code(part, rules) for part in parts if _shown(part)))
+
+
+def _in_code(part: Part, rules: BuildingRules) -> Part:
+    """Return a part whose tables are in the words of the seismic code."""
+    if isinstance(part, Table):
+        return in_code(part, rules)
+    if isinstance(part, Folded):
+        inner = tuple(in_code(of, rules) if isinstance(of, Table) else of for of in part.parts)
+        return replace(part, parts=inner)
+    return part
+
+
+def _shown(part: Part) -> bool:
+    return not isinstance(part, Table) or _filled(part)
 
 
 def _filled(table: Table) -> bool:
