@@ -251,20 +251,27 @@ def bracing_criteria(building: Building, frame: SpaceFrame, overstrength: Overst
 def _hollow_walls(
     frame: SpaceFrame, members: np.ndarray, limits: tuple[float, float] | None, axis: Axis
 ) -> list[RuleCheck]:
-    """Return whether the walls of hollow diagonals are thick enough; none where the code has no limits.
-
-    The width of a flat wall is that of its class, without the corners of radius 1.5 t (EN 1993-1-1, Table 5.2).
-    """
+    """Return whether the walls of hollow diagonals are thick enough; none where the code has no limits."""
     if limits is None:
         return []
-    found, (flat, round_) = [], limits
+    found = []
     for name in dict.fromkeys(frame.members[number].section for number in members):
-        section = frame.section(name)
-        if section.kind == "CHS":
-            text = f"d / t of diagonals, direction {axis}"
-            found.append(at_most("NTC 2018, 7.5.5", text, round_, section.h / section.tw, name))
-        elif section.kind != "I":
-            text = f"width over thickness of diagonals, direction {axis}"
-            width = max(section.h / section.tw, section.b / section.tf) - 3.0
-            found.append(at_most("NTC 2018, 7.5.5", text, flat, width, name))
+        if (wall := wall_ratio(frame.section(name), limits)) is not None:
+            text = f"{wall[0]} of diagonals, direction {axis}"
+            found.append(at_most("NTC 2018, 7.5.5", text, wall[2], wall[1], name))
     return [max(found, key=lambda rule: rule.utilisation)] if found else []
+
+
+def wall_ratio(section: SteelSection, limits: tuple[float, float]) -> tuple[str, float, float] | None:
+    """Return what a code limits of a hollow section: its name, the ratio, and the limit; None of other sections.
+
+    The width of a flat wall is that of its class, without the corners of radius 1.5 t (EN 1993-1-1, Table 5.2).
+
+    Args:
+        limits: of width and of diameter over thickness.
+    """
+    if section.kind == "CHS":
+        return "d / t", section.h / section.tw, limits[1]
+    if section.kind not in ("I", "other"):
+        return "width over thickness", max(section.h / section.tw, section.b / section.tf) - 3.0, limits[0]
+    return None

@@ -13,9 +13,15 @@ from edesign.frame.sections.steel_section import SteelSection, steel_section
 from edesign.project.building.design import DEFAULT_PRICE
 from edesign.project.reading.problems import keys_text, listed
 from edesign.space.checks.member_checks import LARGEST_CLASS
-from edesign.space.checks.rules import allowed_class, dissipative_class, pattern_of, slenderness_of_one_metre
+from edesign.space.checks.rules import (
+    allowed_class,
+    dissipative_class,
+    pattern_of,
+    slenderness_of_one_metre,
+    wall_ratio,
+)
 from edesign.space.elastic_design import ElasticAnalysis
-from edesign.space.structure.design_block import design_of, left_out
+from edesign.space.structure.design_block import design_of, left_out, rules_of
 from edesign.space.structure.frame import AXES
 
 
@@ -141,7 +147,7 @@ def _fits(analysis: ElasticAnalysis, group: str, section: str, bent: bool, highe
 
 
 def _slender(analysis: ElasticAnalysis, group: str, members: Sequence[int]) -> Callable[[SteelSection], bool]:
-    """Say whether diagonals of a section would have a slenderness that EN 1998-1, 6.7.3(1) to (4) allows."""
+    """Say whether diagonals of a section would have the slenderness and the walls that the code allows."""
     frame, design = analysis.frame, design_of(analysis.building)
     ranges: list[tuple[float, float]] = []  # of the slenderness of one metre, the lower end excluded
     if frame.n_floors > FEW_STOREYS and design.ductility_class != "low":
@@ -153,8 +159,15 @@ def _slender(analysis: ElasticAnalysis, group: str, members: Sequence[int]) -> C
             if member.kind == "brace" and SLENDERNESS_CLAUSES[pattern] not in left_out(design):
                 least, most = SLENDERNESS[pattern]
                 ranges.append((least / length, most / length))
+    rules, brace = rules_of(design), frame.members[members[0]].kind == "brace"
+    walls = rules.hollow_braces if brace and design.ductility_class != "low" else None
+    if f"{rules.title}, 7.5.5" in left_out(design):
+        walls = None
 
     def fits(section: SteelSection) -> bool:
+        wall = None if walls is None else wall_ratio(section, walls)
+        if wall is not None and wall[1] > wall[2]:
+            return False
         if not ranges:
             return True
         of_one_metre = slenderness_of_one_metre(section, analysis.steel_of(group, section.name)[1])
