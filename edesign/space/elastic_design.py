@@ -373,7 +373,8 @@ class ElasticAnalysis:
             for axis in AXES
         }
         self._progress("checks of the members")
-        combinations = persistent, self.seismic, Omega, q, self.yielded, self.vertical
+        most = {axis: q[axis] / self._q_ND(axis, regular) if self._class_of_use else q[axis] for axis in AXES}
+        combinations = persistent, self.seismic, Omega, most, self.yielded, self.vertical
         checked = self.members.results(frame, acting, *combinations)
         of_joints = {
             axis: joints(frame, steel, in_earthquakes, self.dissipative[axis], axis, gamma_M0)
@@ -492,6 +493,10 @@ class ElasticAnalysis:
         """Return what the code calls the drift that it limits."""
         return f"q d_r / h under {limit_state_of_drift(self._class_of_use)}" if self._class_of_use else "nu d_r / h"
 
+    def _q_ND(self, axis: Axis, regular: Regular) -> float:
+        """Return q of NTC 2018, Eq. 7.3.2, if the building did not dissipate energy."""
+        return limit_of_q(system_of(self._design, axis).type, "low", 1.0, regular.elevation)
+
     def _strength_under_damage(self, response: SeismicResponse, regular: Regular) -> list[RuleCheck]:
         """Return whether members that resist SLV resist SLD as well, which classes of use III and IV ask for.
 
@@ -500,7 +505,7 @@ class ElasticAnalysis:
         if self._damage is None:
             return []
         axis, T_1 = response.axis, response.T_1
-        q_ND = limit_of_q(system_of(self._design, axis).type, "low", 1.0, regular.elevation)
+        q_ND = self._q_ND(axis, regular)
         SLV, SLD = (float(of.acceleration(T_1)) for of in (self._elastic, self._damage))
         text = f"q up to which strength under SLV is strength under SLD, direction {axis}"
         rule = at_most("NTC 2018, C7.3.1", text, limit_of_q_for_damage(q_ND, SLV, SLD), response.spectrum.q)

@@ -144,7 +144,7 @@ class MemberChecker:
             fundamental: combinations for persistent design situations.
             seismic: combinations for seismic design situations.
             overstrength: Omega of both directions.
-            q: behaviour factors of both directions.
+            q: largest factor on seismic effects in both directions, as a rule the behaviour factor.
             yielded: combinations for beams beside buckled braces.
             vertical: seismic combinations with the vertical component.
 
@@ -332,14 +332,15 @@ def amplified_combinations(
     """Return the seismic combinations with 1.1 gamma_ov Omega on the seismic effects; none in ductility class low.
 
     An Omega below 1, of a dissipative member that fails its own check, counts as 1. More than the effects of the
-    elastic spectrum, q times those of the design spectrum, cannot come: the factor is at most q.
+    elastic spectrum, q times those of the design spectrum, cannot come: the factor is at most q. By NTC 2018, 7.2.2, it
+    is at most that of a building that does not dissipate energy, q / q_ND.
 
     Args:
         seismic: combinations for the seismic design situation.
         overstrength: Omega of both directions.
-        q: behaviour factors of both directions.
+        q: largest factor in both directions.
 
-    Source: EN 1998-1:2004, 6.6.3(1)P, Eq. 6.6; 6.7.4(1), Eq. 6.12.
+    Source: EN 1998-1:2004, 6.6.3(1)P, Eq. 6.6; 6.7.4(1), Eq. 6.12; NTC 2018, 7.5.4.2, Eqs. 7.5.7 to 7.5.9.
     """
     if design.ductility_class == "low":
         return ()
