@@ -343,6 +343,7 @@ class Analysis:
         steps: int = 1,
         channels: Sequence[Channel] = (),
         limits: Mapping[str, float] = NO_LIMITS,
+        watch: Watch | None = None,
     ) -> Response:
         """Bring a pattern to a factor in equal steps (load control); it stays on for later runs.
 
@@ -351,9 +352,10 @@ class Analysis:
             steps: how many.
             channels: what to record.
             limits: as in `history`.
+            watch: as in `history`.
         """
         self._check(lib.ed_static_begin(self._c, pattern, factor, steps))
-        return self._run(steps, channels, 1, None, None, limits)
+        return self._run(steps, channels, 1, None, None, limits, watch=watch)
 
     def pushover(
         self,

@@ -157,10 +157,10 @@ class MemberLoads:
         places = np.unique([0.0, 1.0, *inside])
         points, weights = np.polynomial.legendre.leggauss(4)
         half, middle = 0.5 * np.diff(places)[:, None], 0.5 * (places[1:] + places[:-1])[:, None]
-        moments = self._moments(middle + half * points, length)
+        moments = self.moments(middle + half * points, length)
         return float(length * np.sum(half * weights * moments**2))
 
-    def _moments(self, x: np.ndarray, length: float) -> np.ndarray:
+    def moments(self, x: np.ndarray, length: float) -> np.ndarray:
         """Bending moments at shares x of the length of a simply supported member, N m."""
         moments = x * length * self.at_ends(length)[0] - 0.5 * self.uniform * (x * length) ** 2
         for position, force in self.points:

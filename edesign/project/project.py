@@ -25,6 +25,7 @@ from edesign.project.frame.foundations import Footing, Soil
 from edesign.project.frame.frame import Frame
 from edesign.project.frame.hinges import Hinges, Joints, PanelZones
 from edesign.project.frame.materials import Material
+from edesign.project.frame.member_design import FrameDesign
 from edesign.project.frame.sections import Fibres, Section
 from edesign.project.notation.frames import Direction
 from edesign.project.notation.grid import Grid
@@ -53,6 +54,7 @@ class Project(AnalysisFile):
         joints: semi-rigid joints, as springs between the ends of members and their nodes.
         panel_zones: joints whose panel shears.
         soils: soils by name, on which footings stand.
+        design: what checks of columns, beams and braces by EN 1993-1-1 go by; without it sections alone are checked.
         dampers: dampers, tuned masses and isolators of the frame.
         damping: inherent damping of the frame; histories need it.
         integration: time integration; histories need it.
@@ -82,6 +84,7 @@ class Project(AnalysisFile):
     joints: tuple[Joints, ...] = ()
     panel_zones: tuple[PanelZones, ...] = ()
     soils: dict[Identifier, Soil] = {}
+    design: FrameDesign | None = None
     dampers: Dampers | None = None
     damping: Damping | None = None
     integration: Integration | None = None

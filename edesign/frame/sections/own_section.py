@@ -14,30 +14,34 @@ from edesign.project.building.building import Building
 from edesign.project.frame.sections import (
     ROUNDING,
     BoxSection,
+    ElasticSection,
     Fibres,
     PlateSection,
     RectangleSection,
     SpaceElasticSection,
 )
+from edesign.project.project import Project
 
 _NODES, _WEIGHTS = (-math.sqrt(0.6), 0.0, math.sqrt(0.6)), (5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0)  # Gauss-Legendre
 
 
-def section_of(building: Building, name: str) -> SteelSection:
-    """Return a section of a building by its name: an own one of the file, one of the catalogue, or a hollow one.
+def section_of(file: Building | Project, name: str) -> SteelSection:
+    """Return a section of a building or frame by its name: an own one of the file, of the catalogue, or a hollow one.
 
     Args:
-        building: from `load_building`.
+        file: from `load_building` or `load_project`.
 
     Raises:
         InputError: there is no such section.
     """
-    own = building.sections.get(name)
+    own = file.sections.get(name)
     return steel_section(name) if own is None else own_section(name, own)
 
 
 @cache
-def own_section(name: str, own: PlateSection | BoxSection | RectangleSection | SpaceElasticSection) -> SteelSection:
+def own_section(
+    name: str, own: PlateSection | BoxSection | RectangleSection | SpaceElasticSection | ElasticSection
+) -> SteelSection:
     """Return an own section with its properties: plates are a welded I section or box, others have no class.
 
     The shear centre of a stack of rectangles that is not symmetric is taken at its centroid.
@@ -54,6 +58,8 @@ def own_section(name: str, own: PlateSection | BoxSection | RectangleSection | S
         return _box(name, own)
     if isinstance(own, RectangleSection):
         return _stack(name, own)
+    if isinstance(own, ElasticSection):
+        return _other(name, A=own.area, A_y=0.0, A_z=0.0, I_t=0.0, I_y=own.inertia or 0.0, I_z=0.0)
     return _other(
         name,
         A=own.area,

@@ -8,6 +8,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field
 
+from edesign.project.frame.member_design import BucklingLength, LengthFactors, MemberStability, SteelFactors
 from edesign.project.notation.selections import ALL_NUMBERS, Numbers
 from edesign.project.notation.several import ShortName
 from edesign.project.notation.units import (
@@ -92,10 +93,6 @@ def _share_of_span(value: Any) -> Any:
 
 def _share_of_height(value: Any) -> Any:
     return _share_of(value, "height")
-
-
-def _by_thickness(value: Any) -> Any:
-    return {True: "en10025-2", False: None}[value] if isinstance(value, bool) else value
 
 
 def _drift(value: Any) -> Any:
@@ -210,20 +207,16 @@ class Serviceability(Model):
     sway: HorizontalLimits = HorizontalLimits()
 
 
-class PartialFactors(Model):
+class PartialFactors(SteelFactors):
     """Partial factors of EN 1993-1-1, 6.1 and of EN 1990, Table A1.2(B); the country's where they are not given.
 
     With NTC 2018 they are those of its Tables 4.2.VII and 2.6.I.
 
     Attributes:
-        M0: partial factor of cross-sections (EN 1993-1-1, 6.1).
-        M1: partial factor of members, for instability (EN 1993-1-1, 6.1).
         G: partial factor of permanent actions (EN 1990, Table A1.2(B)).
         Q: partial factor of variable actions (EN 1990, Table A1.2(B)).
     """
 
-    M0: PositiveFactor = 1.0
-    M1: PositiveFactor = 1.0
     G: Factor = 1.35
     Q: Factor = 1.5
 
@@ -250,18 +243,6 @@ class Fundamental(Model):
     stated: tuple[Annotated[dict[str, Factor], Field(min_length=1)], ...] = ()
 
 
-class LengthFactors(Model):
-    """Buckling length over length between nodes, about both axes of the section.
-
-    Attributes:
-        y: factor about the y axis of the section, the strong one.
-        z: factor about the z axis of the section, the weak one.
-    """
-
-    y: PositiveFactor = 1.0
-    z: PositiveFactor = 1.0
-
-
 class PlacedLengthFactors(LengthFactors):
     """Buckling length over length between nodes of members of some groups, or of one kind, in some storeys.
 
@@ -276,20 +257,14 @@ class PlacedLengthFactors(LengthFactors):
     storeys: Numbers = ALL_NUMBERS
 
 
-class BucklingLength(Model):
+class PlacedBucklingLength(BucklingLength):
     """Buckling lengths by the kind of member, and by place.
 
     Attributes:
-        columns: factors of columns.
-        beams: factors of beams.
-        braces: factors of braces.
         places: factors of members of some groups or storeys in place of those of their kind; a later entry overrides
             an earlier one.
     """
 
-    columns: LengthFactors = LengthFactors()
-    beams: LengthFactors = LengthFactors()
-    braces: LengthFactors = LengthFactors()
     places: tuple[PlacedLengthFactors, ...] = ()
 
     def of(self, kind: str, group: str, storey: int) -> LengthFactors:
@@ -307,37 +282,15 @@ class BucklingLength(Model):
         return found
 
 
-class LateralRestraint(Model):
-    """The lateral restraint of the compressed flange.
-
-    Attributes:
-        beams: by the slab all along, or at the ends only.
-        columns: at the floors, or all along.
-    """
-
-    beams: Literal["slab", "ends"] = "slab"
-    columns: Literal["floors", "all_along"] = "floors"
-
-
-class MemberChecks(Model):
+class MemberChecks(MemberStability):
     """How members are checked by EN 1993-1-1.
 
     Attributes:
-        interaction: interaction factors k_ij of EN 1993-1-1, 6.3.3.
-        buckling_length: buckling length over the length between nodes, by kind of member.
-        lateral_restraint: what restrains the compressed flange.
-        yield_by_thickness: f_y by the thickest part of a section: EN 10025-2 (`true`), EN 1993-1-1, Table 3.1, or not;
-            the country chooses (3.2.1(1)).
+        buckling_length: buckling length over the length between nodes, by kind of member and by place.
         doubler_plates: whether web panels that are too weak may have a supplementary web plate (EN 1998-1, 6.6.3(6)).
     """
 
-    interaction: Literal["annex_a", "annex_b"] = "annex_b"
-    buckling_length: BucklingLength = BucklingLength()
-    lateral_restraint: LateralRestraint = LateralRestraint()
-    yield_by_thickness: Annotated[
-        Literal["en10025-2", "table-3.1"] | None,
-        Written(_by_thickness, given({"enum": ["en10025-2", "table-3.1", True, False]})),
-    ] = None
+    buckling_length: PlacedBucklingLength = PlacedBucklingLength()
     doubler_plates: bool = True
 
 

@@ -37,6 +37,7 @@ from edesign.frame.sections.section_class import section_class
 from edesign.frame.sections.steel_section import SteelSection
 from edesign.project.building.building import Building, Steel
 from edesign.project.building.design import Design
+from edesign.project.frame.member_design import FrameDesign, LengthFactors
 from edesign.space.analysis.bracing import Bracing, bracing
 from edesign.space.analysis.buckled_diagonals import CASES as BUCKLING
 from edesign.space.analysis.buckled_diagonals import buckling_combinations
@@ -305,6 +306,22 @@ def as_checked(building: Building, frame: SpaceFrame) -> tuple[list[SteelMember]
     return of_class(True), of_class(False)
 
 
+def member_of_frame(
+    design: FrameDesign, section: SteelSection, steel: Steel, plastic: bool, kind: str, length: float, sways: bool
+) -> SteelMember:
+    """Return a member of a plane frame as the checks see it, with what the design of a building would make of it.
+
+    Args:
+        design: lengths, restraints and factors.
+        plastic: as of class 1 or 2; else of class 3.
+        kind: column, beam or brace.
+        length: between supports, m.
+        sways: whether it is a column of a frame that sways.
+    """
+    of: LengthFactors = getattr(design.members.buckling_length, f"{kind}s")
+    return _member(design, section, steel, plastic, _Role(kind, length, 0, sways, sways, True, of.y, of.z))
+
+
 def _spectral(effects: Effects, rows: Sequence[Combination]) -> tuple[np.ndarray, np.ndarray]:
     """Return magnitudes of seismic effects, and the factor of each in each combination.
 
@@ -436,7 +453,9 @@ def _classes(section: SteelSection, fy: float, bent: bool, compressed: bool) -> 
     return least, highest
 
 
-def _member(design: Design, section: SteelSection, steel: Steel, plastic: bool, role: _Role) -> SteelMember:
+def _member(
+    design: Design | FrameDesign, section: SteelSection, steel: Steel, plastic: bool, role: _Role
+) -> SteelMember:
     """Return a member as its checks see it; `plastic`: of class 1 or 2.
 
     Moment factors are those of a uniform moment, which is on the safe side, but for sway (Table B.3). So is M_cr, but

@@ -12,9 +12,11 @@ from edesign.codes.ntc2018.building_rules import RULES as NTC_RULES
 from edesign.codes.ntc2018.capacity import material_overstrength
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import national_of
-from edesign.project.actions.hazard import NtcHazard
+from edesign.project.actions.hazard import EC8Hazard, NtcHazard
 from edesign.project.building.building import Building
 from edesign.project.building.design import Design, System
+from edesign.project.frame.member_design import FrameDesign
+from edesign.project.project import Project
 from edesign.project.reading.base import Model
 from edesign.space.structure.frame import Axis
 
@@ -85,6 +87,15 @@ def left_out(design: Design) -> frozenset[str]:
     asked, rules = set(design.select.leave_out), rules_of(design)
     known = {clause for clause, own in rules.clauses.items() if own in asked}
     return frozenset(asked | known | {f"{rules.title}, {own}" for own in asked})
+
+
+def frame_design_of(project: Project) -> FrameDesign | None:
+    """Return the block `design` of a plane frame with the partial factors of the country; None without the block."""
+    design = project.design
+    if design is None or not isinstance(project.hazard, EC8Hazard):
+        return design
+    factors = _completed(design.partial_factors, national_of(project.hazard).gamma_M)
+    return design.model_copy(update={"partial_factors": factors})
 
 
 def _completed(block: M, values: Mapping[str, float]) -> M:

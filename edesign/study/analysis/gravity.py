@@ -15,6 +15,7 @@ from edesign.study.results.braces import brace_quantities, fracture_warnings
 from edesign.study.results.coordinates import bending_members, coordinates
 from edesign.study.results.dampers import damper_quantities
 from edesign.study.results.floors import base_displacement, diaphragm_motions, floor_displacements, floor_rotations
+from edesign.study.results.member_use import run_watch
 from edesign.study.results.members import axial_forces, leaning_column_forces, member_forces, plastic_rotations
 from edesign.study.results.recording import Quantity, channels, coordinate, store, store_run
 from edesign.study.results.springs import spring_quantities
@@ -46,28 +47,35 @@ def run_gravity(project: AnalysisFile, spec: GravityAnalysis) -> Group:
     coordinate(group, "node", list(frame.nodes), "", "name of the node")
     coordinate(group, "support", list(frame.supports), "", "name of the supported node")
     drifts = line_drifts(frame)
-    recorded = [
-        floor_displacements(frame, history=False),
-        storey_drifts(frame, history=False),
-        *floor_rotations(frame, history=False),
-        *diaphragm_motions(frame, group, history=False),
-        storey_shears(frame, history=False),
-        *storey_torques(frame, history=False),
-        base_shear(frame, history=False),
-        *member_forces(frame, bending_members(frame), "member", history=False),
-        *axial_forces(frame),
-        *(damper_quantities(frame, history=False) if any(device.carries for device in frame.devices) else ()),
-        *base_displacement(frame, history=False),
-        *isolator_axial_forces(frame, keep=("final",)),
-        *leaning_column_forces(frame),
-        *plastic_rotations(frame),
-        *brace_quantities(frame, group),
-        *spring_quantities(frame, group),
-        *(_in_space(frame, group) if frame.model.dimension == 3 else [*_node_displacements(frame), *_reactions(frame)]),
-    ]
+    watch = run_watch(project, frame, supports=False)
+    recorded = watch.watching(
+        [
+            floor_displacements(frame, history=False),
+            storey_drifts(frame, history=False),
+            *floor_rotations(frame, history=False),
+            *diaphragm_motions(frame, group, history=False),
+            storey_shears(frame, history=False),
+            *storey_torques(frame, history=False),
+            base_shear(frame, history=False),
+            *member_forces(frame, bending_members(frame), "member", history=False),
+            *axial_forces(frame),
+            *(damper_quantities(frame, history=False) if any(device.carries for device in frame.devices) else ()),
+            *base_displacement(frame, history=False),
+            *isolator_axial_forces(frame, keep=("final",)),
+            *leaning_column_forces(frame),
+            *plastic_rotations(frame),
+            *brace_quantities(frame, group),
+            *spring_quantities(frame, group),
+            *(
+                _in_space(frame, group)
+                if frame.model.dimension == 3
+                else [*_node_displacements(frame), *_reactions(frame)]
+            ),
+        ]
+    )
     names = rotation_names(frame, drifts, recorded)
     response = structure.analysis.static(
-        frame.gravity, 1.0, spec.steps, channels([*recorded, drifts]), rotation_limits(project, names)
+        frame.gravity, 1.0, spec.steps, channels([*recorded, drifts]), rotation_limits(project, names), watch
     )
     if response.status == "failed":
         response = replace(response, reason=no_equilibrium(response))
@@ -77,6 +85,7 @@ def run_gravity(project: AnalysisFile, spec: GravityAnalysis) -> Group:
         response, energy_warnings = replace(response, status="failed", reason=reason), None
     store(group, recorded, response, "step")
     store_drift_extremes(group, frame, drifts, response)
+    watch.store(group, "load factor", "1")
     warnings = buckling_warnings(group, frame)
     store_warnings(group, [] if energy_warnings is None else [*energy_warnings, *warnings, *fracture_warnings(group)])
     store_run(group, response)

@@ -80,7 +80,7 @@ def run_history(
         vertical=both.samples,
         along_y=both.across.acceleration if both.across is not None else None,
         supports=late.motions,
-        watch=results.use,
+        watch=results.watch,
     )
     across = np.zeros_like(ground.acceleration) if both.across is None else both.across.acceleration
     samples = (ground.acceleration, across)[: len(structure.frame.directions)]

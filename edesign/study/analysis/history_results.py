@@ -33,7 +33,7 @@ from edesign.study.results.floors import (
     floor_rotations,
     point_motions,
 )
-from edesign.study.results.member_use import member_use
+from edesign.study.results.member_use import run_watch
 from edesign.study.results.members import axial_forces, leaning_column_forces, member_forces, plastic_rotations
 from edesign.study.results.motion import node_displacements, store_motion, without_histories
 from edesign.study.results.recording import SINGLE, Quantity, channels, coordinate, directed, store, store_run
@@ -70,7 +70,7 @@ class HistoryResults:
         channels: for the core. Displacements and drifts have a tail, for the residual response.
         energies: whether energies are kept over time.
         limits: at which the history ends, by name of a channel.
-        use: that of the members of a building, which watches the history; None of plane frames.
+        watch: sees every step of the history: the use of members, reactions of supports.
 
     Raises:
         InputError: a requested output does not exist.
@@ -85,7 +85,7 @@ class HistoryResults:
         keep_drift: bool = False,
     ) -> None:
         self._project, self._frame, self._group = project, frame, Group()
-        self.use = member_use(project, frame)
+        self.watch = run_watch(project, frame)
         coordinates(self._group, frame)
         self._wanted = project.outputs.histories if histories is None else histories
         floors, storeys = "floors" in self._wanted, "storeys" in self._wanted
@@ -94,7 +94,7 @@ class HistoryResults:
         self._drift = replace(storey_drifts(frame, storeys), tail=True)
         self._drifts = replace(line_drifts(frame), tail=frame.model.dimension == 3)
         self._base = base_displacement(frame, floors)
-        self._others = [
+        others = [
             floor_accelerations(frame, floors),
             floor_relative_accelerations(frame),
             *floor_rotations(frame, floors),
@@ -103,7 +103,7 @@ class HistoryResults:
             storey_shears(frame, storeys),
             *storey_torques(frame, storeys),
             base_shear(frame, storeys),
-            *self._forces(),
+            *member_forces(frame, bending_members(frame), "member", history=False),
             *axial_forces(frame),
             *leaning_column_forces(frame),
             *plastic_rotations(frame, "motion" in self._wanted),
@@ -116,9 +116,10 @@ class HistoryResults:
             *base_rotation(frame, floors),
             *isolator_displacements(frame, "dampers" in self._wanted),
             *isolator_axial_forces(frame),
-            *(support_reactions(frame, self._group) if "supports" in self._wanted else []),
+            *support_reactions(frame, self._group, history="supports" in self._wanted),
             *requested_quantities(project, frame, self._group),
         ]
+        self._others = self.watch.watching(others)
         self._couples = LackingCouples(frame)
         self._moving: list[Quantity] = []
         if "motion" in self._wanted:
@@ -131,10 +132,6 @@ class HistoryResults:
         self.channels: list[Channel] = channels([*kept, self._drifts, *self._couples.quantities])
         self.channels += self._resultants.channels()
         self.limits = rotation_limits(project, self._names) | drift_limits(self._drifts, collapse_drift)
-
-    def _forces(self) -> list[Quantity]:
-        forces = member_forces(self._frame, bending_members(self._frame), "member", history=False)
-        return forces if self.use is None else self.use.watching(forces)
 
     def drift(self, response: Response) -> np.ndarray:
         """Return the drift ratios of the storeys over time, (nt, storeys), if `keep_drift` was asked for."""
@@ -168,8 +165,7 @@ class HistoryResults:
         if self._moving:
             store_motion(group, self._moving, response)
         self._resultants.store(group, response)
-        if self.use is not None:
-            self.use.store(group, "time", "s")
+        self.watch.store(group, "time", "s")
         store_drift_extremes(group, frame, self._drifts, response)
         store_mean_drifts(group, self._drift, response)
         warnings = buckling_warnings(group, frame)

@@ -26,7 +26,7 @@ from edesign.study.results.coordinates import bending_members, coordinates
 from edesign.study.results.couples import LackingCouples
 from edesign.study.results.dampers import damper_quantities
 from edesign.study.results.floors import diaphragm_motions, floor_displacements, floor_rotations
-from edesign.study.results.member_use import member_use
+from edesign.study.results.member_use import run_watch
 from edesign.study.results.members import axial_forces, leaning_column_forces, member_forces, plastic_rotations
 from edesign.study.results.recording import Quantity, channels, coordinate, store, store_run
 from edesign.study.results.requested import requested_quantities
@@ -132,26 +132,28 @@ def push(
         "lateral_load", (), (), (((1.0, "load_factor", lateral, 0),),), "N", "sum of the lateral loads", True, ("max",)
     )
     drifts, shear = line_drifts(frame), base_shear(frame, history=True)
-    forces, use = member_forces(frame, bending_members(frame), "member", history=False), member_use(project, frame)
-    recorded = [
-        load_factor,
-        floor_displacements(frame, history=True),
-        *floor_rotations(frame, history=True),
-        *diaphragm_motions(frame, group, history=True),
-        storey_drifts(frame, history=True),
-        storey_shears(frame, history=True),
-        *storey_torques(frame, history=True),
-        shear,
-        *(forces if use is None else use.watching(forces)),
-        *axial_forces(frame),
-        *leaning_column_forces(frame),
-        *plastic_rotations(frame),
-        *brace_quantities(frame, group),
-        *spring_quantities(frame, group),
-        *damper_quantities(frame, history=False),
-        *(support_reactions(frame, group) if "supports" in project.outputs.histories else []),
-        *requested_quantities(project, frame, group),
-    ]
+    watch = run_watch(project, frame)
+    recorded = watch.watching(
+        [
+            load_factor,
+            floor_displacements(frame, history=True),
+            *floor_rotations(frame, history=True),
+            *diaphragm_motions(frame, group, history=True),
+            storey_drifts(frame, history=True),
+            storey_shears(frame, history=True),
+            *storey_torques(frame, history=True),
+            shear,
+            *member_forces(frame, bending_members(frame), "member", history=False),
+            *axial_forces(frame),
+            *leaning_column_forces(frame),
+            *plastic_rotations(frame),
+            *brace_quantities(frame, group),
+            *spring_quantities(frame, group),
+            *damper_quantities(frame, history=False),
+            *support_reactions(frame, group, history="supports" in project.outputs.histories),
+            *requested_quantities(project, frame, group),
+        ]
+    )
     couples = LackingCouples(frame)
     names = rotation_names(frame, drifts, recorded)
     events = EventChannels(frame, spec.steps)
@@ -165,14 +167,13 @@ def push(
         progress,
         stop,
         rotation_limits(project, names),
-        use,
+        watch,
     )
     response, energy_warnings = judged(response, project, names, "displacement")
     coordinate(group, "step", np.arange(response.time.size), "1", "step, 0 is under gravity alone")
     store(group, recorded, response, "step")
     store_drift_extremes(group, frame, drifts, response)
-    if use is not None:
-        use.store(group, "displacement of the controlled node", "m")
+    watch.store(group, "displacement of the controlled node", "m")
     warnings: list[AnalysisWarning] = buckling_warnings(group, frame)
     warnings += core_strain_warnings(group, frame.devices) + couples.warnings(response)
     warnings += hinge_warnings(group, frame)

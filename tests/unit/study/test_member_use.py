@@ -27,6 +27,7 @@ from edesign.space.structure.model import space_model
 from edesign.study.results.coordinates import bending_members
 from edesign.study.results.member_use import MemberUse
 from edesign.study.results.members import member_forces
+from edesign.study.results.watch import StepWatch
 from edesign.study.run.analyses import run_analysis
 
 CALM = SMALL.replace("a_gR: 0.24 g", "a_gR: 0.001 g")
@@ -41,10 +42,11 @@ def uses(whole: Building, steps: np.ndarray, values: np.ndarray, piece: int = 7)
     """
     frame = build_building(whole)
     members = bending_members(frame)
-    found = MemberUse(whole, frame)
+    found = StepWatch([MemberUse(whole, frame)])
     found.watching(member_forces(frame, members, "member", history=False))
     axial = values[..., 0] * np.array([-1.0, 1.0])
-    rows = np.concatenate([axial.reshape(len(values), -1), values[..., 1:].reshape(len(values), -1)], axis=1)
+    parts = axial, np.zeros_like(values[..., 1:]), values[..., 1:]
+    rows = np.concatenate([part.reshape(len(values), -1) for part in parts], axis=1)
     for at in range(0, len(rows), piece):
         found(steps[at : at + piece], rows[at : at + piece])
     group = Group()

@@ -1,0 +1,215 @@
+"""Columns, beams and braces of a plane frame or a building as the checks by EN 1993-1-1 see them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from edesign.codes.ec3.member import Stability
+from edesign.codes.ec3.section import SteelSection
+from edesign.frame.frame_model import FrameModel
+from edesign.frame.loads import MemberLoads, beam_loads, column_loads
+from edesign.frame.sections.own_section import section_of
+from edesign.project.analysis_file import AnalysisFile
+from edesign.project.building.building import Building
+from edesign.project.building.steel import Steel
+from edesign.project.frame.materials import ElasticMaterial
+from edesign.project.frame.member_design import BucklingLength, FrameDesign, LengthFactors
+from edesign.project.frame.members import BraceRun
+from edesign.project.notation.names import member_kind
+from edesign.project.project import Project
+from edesign.space.analysis.response import STATIONS
+from edesign.space.checks.member_checks import (
+    LARGEST_CLASS,
+    LARGEST_PLASTIC_CLASS,
+    as_checked,
+    member_of_frame,
+)
+from edesign.space.checks.steel_member import SteelMember
+from edesign.space.nonlinear.gravity import gravity_loads
+from edesign.space.structure.design_block import frame_design_of
+from edesign.space.structure.geometry import space_frame
+from edesign.space.structure.steel_by_thickness import with_steel_by_thickness, yield_by_thickness
+
+SHEARED = 2.0
+"""What one of a pair of braces that do not count in compression carries in truth, over the force of its model."""
+
+
+@dataclass(frozen=True)
+class CheckedMember:
+    """A member as its checks see it.
+
+    Attributes:
+        name: of the member.
+        plastic: as of class 1 or 2; equal members are one object.
+        elastic: likewise as of class 3.
+        weak: whether a member of a plane frame bends about its z axis.
+        share: by which forces are multiplied: of a pair of braces of which one is in tension at a time one takes all.
+        compressed: whether it counts in compression.
+    """
+
+    name: str
+    plastic: SteelMember
+    elastic: SteelMember
+    weak: bool = False
+    share: float = 1.0
+    compressed: bool = True
+
+
+@dataclass(frozen=True)
+class CheckedMembers:
+    """Members of a file that the clauses know.
+
+    Attributes:
+        members: in the order in which they were asked for, without those whose section or steel has no clause.
+        judged: whether each that was asked for is among them, (n,).
+        stability: whether lengths, restraints and factors are known: the file has `design`.
+    """
+
+    members: tuple[CheckedMember, ...]
+    judged: np.ndarray
+    stability: bool
+
+
+def checked_members(file: AnalysisFile, names: Sequence[str]) -> CheckedMembers:
+    """Return members as the checks see them: those of a section with a class, of a steel with a yield strength.
+
+    Without `design` the partial factor is 1, and nothing is known of buckling. Moment factors are those of a uniform
+    moment, of columns of a plane frame without `frame.braces` those of sway (EN 1993-1-1, Table B.3), as in buildings.
+    Beams have the length of their bay: braces and dampers that meet them do not hold them.
+
+    Args:
+        file: of a plane frame or a building.
+        names: of columns, beams or braces.
+
+    Raises:
+        InputError: a section is not known, or the strength of a steel by its thickness is not.
+    """
+    found = _in_space(file, names) if isinstance(file, Building) else _in_plane(file, names)
+    judged = np.array([one is not None for one in found], dtype=bool)
+    return CheckedMembers(tuple(one for one in found if one), judged, getattr(file, "design", None) is not None)
+
+
+def _in_space(building: Building, names: Sequence[str]) -> list[CheckedMember | None]:
+    made = with_steel_by_thickness(building)
+    frame = space_frame(made)
+    number = {member.name: at for at, member in enumerate(frame.members)}
+    if made.design is not None:
+        plastic, elastic = as_checked(made, frame)
+    else:
+        known: dict[tuple[str, str, int], SteelMember] = {}
+
+        def of_class(of: int) -> list[SteelMember]:
+            for member in frame.members:
+                key = (member.section, member.material, of)
+                if key not in known:
+                    known[key] = _bare(frame.section(member.section), made.materials[member.material].fy, of)
+            return [known[member.section, member.material, of] for member in frame.members]
+
+        plastic, elastic = of_class(LARGEST_PLASTIC_CLASS), of_class(LARGEST_CLASS)
+    found: list[CheckedMember | None] = []
+    for name in names:
+        at = number[name]
+        counts = frame.members[at].compression
+        one = CheckedMember(name, plastic[at], elastic[at], share=1.0 if counts else SHEARED, compressed=counts)
+        found.append(one if plastic[at].section.has_class else None)
+    return found
+
+
+def _in_plane(file: AnalysisFile, names: Sequence[str]) -> list[CheckedMember | None]:
+    assert isinstance(file, Project)
+    frame, design = file.frame, frame_design_of(file)
+    braced = bool(frame.brace_at)
+    known: dict[tuple[object, ...], tuple[SteelMember, SteelMember]] = {}
+    found: list[CheckedMember | None] = []
+    for name in names:
+        run, kind = frame.members[name], member_kind(name)
+        material, section = file.materials[run.material], section_of(file, run.section)
+        if not section.has_class or isinstance(material, ElasticMaterial):
+            found.append(None)
+            continue
+        fy, standard = material.fy, design.members.yield_by_thickness if design is not None else None
+        if standard is not None:
+            fy = yield_by_thickness(file, run.section, run.material, fy, standard)[0]
+        of, length = design, frame.length(name)
+        if kind == "beam":
+            length = frame.bay_widths[frame.beam_members[name].bay - 1]
+        if isinstance(run, BraceRun) and design is not None:
+            of = _of_brace(design, run)
+        key = (run.section, fy, material.E, kind, length, of is design or getattr(run, "buckling_length_factor", None))
+        if key not in known:
+            if of is None:
+                known[key] = (_bare(section, fy, LARGEST_PLASTIC_CLASS), _bare(section, fy, LARGEST_CLASS))
+            else:
+                about = of, section, Steel.model_construct(fy=fy, E=material.E)
+                role = kind, length, kind == "column" and not braced
+                known[key] = (member_of_frame(*about, True, *role), member_of_frame(*about, False, *role))
+        counts = not isinstance(run, BraceRun) or run.compression
+        weak = not isinstance(run, BraceRun) and run.axis == "weak"
+        found.append(CheckedMember(name, *known[key], weak, 1.0 if counts else SHEARED, counts))
+    return found
+
+
+def _of_brace(design: FrameDesign, run: BraceRun) -> FrameDesign:
+    """The design of a brace, whose own buckling length counts where its run gives one."""
+    if "buckling_length_factor" not in run.model_fields_set:
+        return design
+    both = LengthFactors(y=run.buckling_length_factor, z=run.buckling_length_factor)
+    lengths = BucklingLength.model_copy(design.members.buckling_length, update={"braces": both})
+    return design.model_copy(update={"members": design.members.model_copy(update={"buckling_length": lengths})})
+
+
+def _bare(section: SteelSection, fy: float, number: int) -> SteelMember:
+    """A member of which the section alone is checked, with a partial factor of 1."""
+    return SteelMember(section, fy, Stability(0.0, 0.0, 0.0), number, gamma_M0=1.0)
+
+
+def moments_inside(file: AnalysisFile, frame: FrameModel, names: Sequence[str]) -> np.ndarray:
+    """Return what loads of the gravity combination inside members add to the line between the moments at their ends.
+
+    Args:
+        file: of a plane frame or a building.
+        frame: its model.
+        names: of columns and beams.
+
+    Returns:
+        (n, stations, axes) N m at `STATIONS` of the part that bends: about y and z in space; positive as in the middle
+        of a beam under loads downwards.
+    """
+    if isinstance(file, Building):
+        whole = space_frame(file)
+        number, loads = {member.name: at for at, member in enumerate(whole.members)}, gravity_loads(file, whole)
+        return np.array(
+            [
+                _in_axes(loads.uniform[at], loads.points.get(at, ()), float(whole.length[at]))
+                for at in (number[name] for name in names)
+            ]
+        ).reshape(len(names), STATIONS.size, 2)
+    assert isinstance(file, Project)
+    of_beams, of_columns = beam_loads(file, file.loads.gravity), column_loads(file, file.loads.gravity)
+    found = np.zeros((len(names), STATIONS.size, 1))
+    for at, name in enumerate(names):
+        load = of_beams.get(name) or (MemberLoads(of_columns[name]) if name in of_columns else None)
+        if load is not None:
+            stretches = frame.members[name].bending_stretches
+            begin, end = stretches.places[0], stretches.places[-1]
+            moments = load.moments(begin + STATIONS * (end - begin), stretches.length)
+            found[at, :, 0] = moments - (1.0 - STATIONS) * moments[0] - STATIONS * moments[-1]
+    return found
+
+
+def _in_axes(uniform: np.ndarray, points: Sequence[tuple[float, np.ndarray]], length: float) -> np.ndarray:
+    """Moments about y and z that loads inside give a simply supported member at `STATIONS`, (n, 2) N m.
+
+    Args:
+        uniform: (3,) in the axes of the member, N/m.
+        points: place as a share of the length, and force, (3,) N.
+        length: m.
+    """
+    shape = np.multiply.outer(0.5 * STATIONS * (1.0 - STATIONS) * length**2, uniform)
+    for position, force in points:
+        nearer = np.minimum(STATIONS * (1.0 - position), position * (1.0 - STATIONS))
+        shape = shape + np.multiply.outer(nearer * length, force)
+    return np.stack([shape[:, 2], -shape[:, 1]], axis=1)

@@ -1,0 +1,100 @@
+"""What looks at quantities in every step of a run, so that nothing has to be kept over time for it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Protocol
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.study.results.recording import Quantity
+
+
+class Observer(Protocol):
+    """Finds something in the steps of a run.
+
+    Attributes:
+        needs: names of the quantities that it sees.
+    """
+
+    needs: tuple[str, ...]
+
+    def see(self, abscissas: np.ndarray, values: Mapping[str, np.ndarray]) -> None:
+        """See further steps.
+
+        Args:
+            abscissas: (n,) of the steps.
+            values: the quantities by name, (n, *shape); must not be changed, nor kept without a copy.
+        """
+
+    def store(self, group: Group, abscissa: str, unit: str) -> None:
+        """Add what was found to the group of the run.
+
+        Args:
+            group: with members and ends.
+            abscissa: what the run is taken in.
+            unit: of the abscissa.
+        """
+
+
+class StepWatch:
+    """The `Watch` of a run, which shows each step to observers.
+
+    Args:
+        observers: of the run; there may be none.
+    """
+
+    def __init__(self, observers: Sequence[Observer]) -> None:
+        self._observers = observers
+        self._seen = False
+        self._quantities: list[tuple[Quantity, int]] = []
+
+    def watching(self, quantities: Sequence[Quantity]) -> list[Quantity]:
+        """Return quantities of a run with those watched that observers need.
+
+        Args:
+            quantities: in the order in which they are recorded; all that are needed.
+        """
+        names = {name for observer in self._observers for name in observer.needs}
+        found = [replace(one, watched=True) if one.name in names else one for one in quantities]
+        at, self._quantities = 0, []
+        for one in found:
+            if one.watched:
+                self._quantities.append((one, at))
+                at += len(one.keys)
+        return found
+
+    def __call__(self, abscissas: np.ndarray, values: np.ndarray) -> None:
+        """See further steps.
+
+        Args:
+            abscissas: (n,) of the steps.
+            values: (n, watched) of the channels.
+        """
+        if not np.isfinite(values[-1]).all():
+            return  # the run ends here, and its extremes tell
+        self._seen = True
+        found: dict[str, np.ndarray] = {}
+        for one, at in self._quantities:
+            columns = values[:, at : at + len(one.keys)]
+            if len(one.keys) < len(one.cells):
+                whole = np.zeros((len(values), len(one.cells)))
+                whole[:, list(one.keys)] = columns
+                columns = whole
+            found[one.name] = columns.reshape(len(values), *one.shape)
+        for observer in self._observers:
+            observer.see(abscissas, found)
+
+    def store(self, group: Group, abscissa: str, unit: str) -> None:
+        """Add what observers found to the group of the run, if a step was seen.
+
+        Args:
+            group: with members and ends.
+            abscissa: what the run is taken in.
+            unit: of the abscissa.
+        """
+        if self._seen:
+            for observer in self._observers:
+                observer.store(group, abscissa, unit)
