@@ -94,7 +94,7 @@ def lacking(group: Group, asked: QuantityCriterion, project: AnalysisFile) -> st
 
 
 _IN_WORDS = {"drift_line": "column line", "point": "corner of a floor"}
-_FOUND_ON_THE_WAY = ("section_use", "member_use")
+_FOUND_ON_THE_WAY = ("section_use", "member_use", "brace_use")
 """Which archives of before do not have."""
 
 

@@ -40,7 +40,7 @@ def check_quantity(
         problems.at_value((*keys, "quantity"), f"`{name}` is of buildings; a plane frame has none [E-CRIT-04]")
         return
     if quantity.of_designs and getattr(project, "design", None) is None:
-        why = "lengths and factors of `design`, which the building file does not have"
+        why = f"lengths and factors of `design`, which {project.path.name} does not have"
         problems.at_value((*keys, "quantity"), f"`{name}` is computed with {why} [E-CRIT-05]")
     for key in _CHOOSING:
         if key in criterion.model_fields_set and key not in own:

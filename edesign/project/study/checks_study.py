@@ -27,15 +27,15 @@ from edesign.project.dampers.designs import Design
 from edesign.project.dampers.device_names import laws_of_design, names_of_dampers, names_of_design
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.dampers.verification import AnyVerify, PlacementVerify
-from edesign.project.frame.sections import RectangleSection, SpaceElasticSection
+from edesign.project.frame.sections import ElasticSection, RectangleSection, SpaceElasticSection
 from edesign.project.reading.problems import Keys, Problems, listed
 from edesign.project.records.records import record_of
 from edesign.project.study.checks_derived import check_derived
 from edesign.project.study.checks_incremental import check_incremental
 from edesign.project.study.study import Histories, Study, Variant
 
-_USES = ("section_use", "member_use")
-_WITHOUT_CLASS = (RectangleSection, SpaceElasticSection)
+_USES = ("section_use", "member_use", "brace_use")
+_WITHOUT_CLASS = (RectangleSection, ElasticSection, SpaceElasticSection)
 """Own sections that EN 1993-1-1 does not classify."""
 
 

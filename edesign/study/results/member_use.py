@@ -181,7 +181,7 @@ class BraceUse:
     Source: EN 1993-1-1:2005, 6.2.3, Eq. 6.5; 6.3.1.1, Eq. 6.46. EN 1998-1:2004, 6.7.2(2)P.
     """
 
-    needs = ("brace_axial_force",)
+    needs: tuple[str, ...] = ("brace_axial_force",)
 
     def __init__(self, file: AnalysisFile, frame: FrameModel) -> None:
         found = checked_members(file, [member.name for member in frame.of_kind("brace")])

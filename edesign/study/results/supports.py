@@ -193,7 +193,8 @@ class SupportExtremes:
         coordinate(group, "support_extreme", list(EXTREMES), "", "extreme of the reactions of the support")
         dims, with_it = ("support", "support_extreme"), "with the extreme of the reactions of the support"
         V, H, M = self._forces[..., 0], self._forces[..., 1], self._forces[..., 2]
-        along, about = dims, dims
+        along: tuple[str, ...] = dims
+        about: tuple[str, ...] = dims
         if self._in_space:
             H, M = self._forces[..., 1:3], self._forces[..., 3:6]
             along, about = (*dims, "direction"), (*dims, "turn")

@@ -55,10 +55,12 @@ class StepWatch:
         """Return quantities of a run with those watched that observers need.
 
         Args:
-            quantities: in the order in which they are recorded; all that are needed.
+            quantities: in the order in which they are recorded; all that are needed. Of one name the first counts:
+                those of `outputs.members` come last.
         """
-        names = {name for observer in self._observers for name in observer.needs}
-        found = [replace(one, watched=True) if one.name in names else one for one in quantities]
+        first = {one.name: at for at, one in reversed(list(enumerate(quantities)))}
+        chosen = {first[name] for observer in self._observers for name in observer.needs}
+        found = [replace(one, watched=True) if at in chosen else one for at, one in enumerate(quantities)]
         at, self._quantities = 0, []
         for one in found:
             if one.watched:

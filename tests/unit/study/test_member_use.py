@@ -225,7 +225,7 @@ def test_a_column_of_a_history_by_hand() -> None:
 
 def test_pushovers_have_uses_and_files_without_design_those_of_sections() -> None:
     cut = SHAKEN[: SHAKEN.index("design:")] + SHAKEN[SHAKEN.index("damping:") :]
-    for text, names in ((SHAKEN, {"section_use", "member_use"}), (cut, {"section_use"})):
+    for text, names in ((SHAKEN, {"section_use", "member_use", "brace_use"}), (cut, {"section_use"})):
         whole = building(text)
         group = run_analysis(whole, whole.analyses[1])
         assert {name[:-4] for name in group.variables if name.endswith("_use_max")} == names
