@@ -28,6 +28,7 @@ from edesign.project.dampers.device_names import laws_of_design, names_of_damper
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.dampers.verification import AnyVerify, PlacementVerify
 from edesign.project.frame.sections import ElasticSection, RectangleSection, SpaceElasticSection
+from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, listed
 from edesign.project.records.records import record_of
 from edesign.project.study.checks_derived import check_derived
@@ -196,18 +197,22 @@ def _pushovers(study: Study, problems: Problems, keys: Keys, pushovers: Pushover
 
 
 def _with_class(study: Study, problems: Problems) -> None:
-    """Criteria on the use of members name none whose section EN 1993-1-1 does not classify."""
+    """Criteria on the use of members name none that EN 1993-1-1 does not judge, by its section or steel."""
     base = study.base
-    if not isinstance(base, Building):
-        return
+    assert isinstance(base, Building | Project)
+    members = base.layout.members if isinstance(base, Building) else base.frame.members
     for at, criterion in enumerate(study.criteria):
         if not isinstance(criterion, QuantityCriterion) or criterion.quantity not in _USES:
             continue
         for i, name in enumerate(criterion.members):
-            run = base.layout.members.get(name)
+            run, why = members.get(name), ""
             if run is not None and isinstance(base.sections.get(run.section), _WITHOUT_CLASS):
-                message = f"`{criterion.quantity}` does not judge `{name}`: its section `{run.section}` has no class"
-                problems.at_item(("criteria", at, "members"), i, f"{message} [E-CRIT-05]")
+                why = f"its section `{run.section}` has no class"
+            elif run is not None and isinstance(base, Project) and base.materials[run.material].law == "elastic":
+                why = f"its material `{run.material}` does not yield"
+            if why:
+                message = f"`{criterion.quantity}` does not judge `{name}`: {why} [E-CRIT-05]"
+                problems.at_item(("criteria", at, "members"), i, message)
 
 
 def _ways(study: Study, problems: Problems, keys: Keys, pushovers: Pushovers) -> None:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
-from edesign.assess.sets import history_sets
+from edesign.assess.sets import HistorySet, history_sets
 from edesign.report.archive_view import all_results, entry, input_warnings
 from edesign.report.archived import archived_base
 from edesign.report.capacity.pushover_tables import target_tables
@@ -16,8 +16,9 @@ from edesign.report.response.analysis_tables import analyses_table, measures_tab
 from edesign.report.response.damper_results import dampers_table
 from edesign.report.response.ground_tables import ground_tables
 from edesign.report.response.restrained_braces import restrained_tables
+from edesign.report.response.support_tables import support_tables
 from edesign.report.response.torsion_tables import torsion_tables
-from edesign.report.response.use_tables import use_tables
+from edesign.report.response.use_tables import use_in_short, use_tables
 from edesign.report.tables.table import Table
 from edesign.study.results.warnings import warning_lines
 
@@ -39,9 +40,14 @@ def project_tables(archive: Archive) -> list[Table]:
     tables += [measures_table(entries), isolation_table(groups), dampers_table(groups), *restrained_tables(groups)]
     tables += ground_tables(groups)
     tables += torsion_tables(history_sets(groups))
-    tables += use_tables(history_sets(groups))
+    tables += member_tables(history_sets(groups))
     tables.append(statistics_table(entries))
     return [table for table in tables if table.rows or table.notes]
+
+
+def member_tables(sets: Sequence[HistorySet]) -> list[Table]:
+    """Return the tables of what the forces of histories do to members and supports."""
+    return [use_in_short(sets), *use_tables(sets), *support_tables(sets)]
 
 
 def warnings_table(archive: Archive, groups: Mapping[str, Group] | None = None) -> Table:

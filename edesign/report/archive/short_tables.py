@@ -30,6 +30,7 @@ from edesign.report.ground_motion.record_tables import CRITERIA, tables_of
 from edesign.report.response.analysis_tables import KINDS, NOT_COMPLETED, Entry, Mode, leading_modes, modes
 from edesign.report.response.damper_results import dampers_table
 from edesign.report.response.ground_tables import first_mode_table
+from edesign.report.response.use_tables import use_in_short
 from edesign.report.tables.column import Column, col, literal, text
 from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.text import PAPER
@@ -120,7 +121,8 @@ def _of_study(archive: Archive, study: Study, groups: dict[str, Group]) -> list[
         verdicts, *others = verdicts_in_short(found, study.base.hazard)
         tables.append(verdicts)
         governing += others
-    tables += [response_in_short(not_swept(study, sets)), changes_in_short(not_swept(study, sets)), *governing]
+    shown = not_swept(study, sets)
+    tables += [response_in_short(shown), use_in_short(shown), changes_in_short(shown), *governing]
     tables += [isolation_statistics_table(sets), *derived_tables(study, sets)]
     tables.append(states_table(study.base, groups, study, STATES_IN_SHORT))
     return tables + incremental_tables(archive, groups)
@@ -135,7 +137,7 @@ def _of_project(archive: Archive, groups: dict[str, Group]) -> list[Table]:
     tables: list[Table] = [_periods(groups)]
     tables.append(states_table(archived_base(archive) if targets else None, groups, None, STATES_IN_SHORT))
     tables += [response_in_short(sets) if sets or targets else _measures(entries[:ANALYSES_SHOWN])]
-    tables.append(changes_in_short(sets))
+    tables += [use_in_short(sets), changes_in_short(sets)]
     tables += [isolation_table(groups)]
     tables += [isolation_estimate_table(name, group) for name, group in groups.items()]
     footings = first_mode_table(groups)

@@ -11,6 +11,7 @@ from edesign.archive.reader import Archive
 from edesign.assess.members import VariantMembers
 from edesign.assess.sets import history_sets
 from edesign.assess.verdicts import judge
+from edesign.report.archive.project_tables import member_tables
 from edesign.report.archive_view import all_results, ending, statistics
 from edesign.report.archived import archived_study
 from edesign.report.assessment.change_tables import changes_table
@@ -116,6 +117,7 @@ def study_tables(archive: Archive) -> list[Table]:
         tables.append(objectives_table(verdicts, study.objectives, study.base))
     tables += incremental_tables(archive, groups)
     tables += ground_tables(groups)
+    tables += member_tables(not_swept(study, sets))
     return [table for table in tables if table.rows or table.notes]
 
 

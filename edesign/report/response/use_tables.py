@@ -1,77 +1,191 @@
-"""How far sections and members of buildings are used by forces of one step: the worst of each storey."""
+"""How far columns, beams and braces are used by the forces of histories, and which are used beyond 1."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from itertools import chain
-from typing import NamedTuple
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
 
-import numpy as np
-
-from edesign.archive.dataset import Group
-from edesign.assess.envelopes import peak
+from edesign.assess.member_uses import LoadedMember, loaded_members, rule_of, support_forces, without_dampers
 from edesign.assess.sets import HistorySet
-from edesign.project.notation.names import member_kind, storey_of
-from edesign.report.assessment.measure_tables import tables_of_sets
-from edesign.report.tables.column import col, count, text
+from edesign.report.assessment.measure_tables import label, missing_notes
+from edesign.report.tables.column import Column, col, count, text
 from edesign.report.tables.table import Table, TableSpec
-from edesign.report.tables.unit import ONE
+from edesign.report.tables.text import wrapped
+from edesign.report.tables.unit import KN, KN_M, ONE
 
-
-class _Use(NamedTuple):
-    """The largest uses of the columns or beams of a storey over the histories of a set, and who has them."""
-
-    kind: str
-    storey: int
-    section: float
-    of_section: str
-    member: float | None
-    of_member: str | None
-
-
-USE = TableSpec[_Use](
-    "member_use",
-    "{whose}: use of columns and beams",
-    (
-        text("kind"),
-        count("storey"),
-        col("section", ONE, "section", form=".2f"),
-        text("section of", "of_section"),
-        col("buckling", ONE, "member", form=".2f", optional=True),
-        text("buckling of", "of_member", optional=True),
-    ),
-    notes=(
-        "The largest of all histories, by the forces of one step. Section: N, M_y and M_z over the resistance, partial "
-        "factors 1. Buckling: EN 1993-1-1, 6.3, with the factors of the design.",
-    ),
-    keys=2,
+KINDS = ("column", "beam", "brace")
+MOST = 40
+NAMED = 5
+"""Members that a line names."""
+RULES = {"mean": "mean of {count} motions (EN 1998-1, 4.3.3.4.3(3))", "maximum": "largest of {count}"}
+MEANING = (
+    "N (tension positive), V, M: of the step and history with the largest use. Section: EN 1993-1-1, 6.2.6 and 6.2.8 "
+    "to 6.2.10; buckling: 6.3; partial factors of `design`, 1 without it."
 )
 
 
+@dataclass(frozen=True)
+class _Use:
+    """A member with its use in the same frame without dampers; None: it is not known, or that is what it is."""
+
+    member: LoadedMember
+    bare: float | None
+
+
+COLUMNS: tuple[Column[_Use], ...] = (
+    text("kind", "member.kind"),
+    count("storey", "member.storey"),
+    text("member", "member.name"),
+    col("use", ONE, "member.use", form=".2f"),
+    text("by", "member.check"),
+    col("largest", ONE, "member.largest", form=".2f"),
+    col("N", KN, "member.N", 3),
+    col("V", KN, "member.V", 3, optional=True),
+    col("M", KN_M, "member.M", 3, optional=True),
+    col("without dampers", ONE, "bare", form=".2f", optional=True),
+    text("history", "member.history", broken=1),
+)
+USE = TableSpec[_Use]("member_use", "{whose}: use of columns, beams and braces, worst of each storey", COLUMNS, keys=3)
+BEYOND = TableSpec[_Use](
+    "members_beyond_1",
+    "{whose}: members used beyond 1",
+    COLUMNS,
+    keys=3,
+    most=MOST,
+    cut="The first {shown} of {all}.",
+)
+
+
+@dataclass(frozen=True)
+class _Uses:
+    """The members of a set, those of the same frame without dampers, and the largest uplift of a support."""
+
+    found: HistorySet
+    members: Sequence[LoadedMember]
+    bare: Mapping[str, float]
+    uplift: float | None
+
+    @property
+    def rows(self) -> list[_Use]:
+        return [_Use(one, self.bare.get(one.name)) for one in self.members]
+
+    @property
+    def note(self) -> str:
+        """By what rule the uses are taken."""
+        text = RULES[rule_of(self.found)].format(count=self.found.motions)
+        return f"Use: {text}." if self.found.motions > 1 else ""
+
+    def worst(self, kind: str) -> LoadedMember | None:
+        return max((one for one in self.members if one.kind == kind), key=lambda one: one.use, default=None)
+
+    def beyond(self, kind: str) -> list[_Use]:
+        """Members of a kind beyond 1, the worst first."""
+        return sorted((one for one in self.rows if one.member.kind == kind and one.member.use > 1.0), key=_order)
+
+    @property
+    def tension(self) -> float | None:
+        """The largest tension of a column, N."""
+        return max((one.tension for one in self.members if one.kind == "column"), default=None)
+
+
+def _order(one: _Use) -> float:
+    return -one.member.use
+
+
+def _uses(sets: Sequence[HistorySet]) -> list[_Uses]:
+    """The sets whose archives know uses."""
+    of_set = {id(found): loaded_members(found) for found in sets}
+    found = []
+    for one in sets:
+        if members := of_set[id(one)]:
+            other = without_dampers(sets, one)
+            bare = {} if other is None else {member.name: member.use for member in of_set[id(other)]}
+            lifts = [support.V for support in support_forces(one) if support.extreme == "least compression"]
+            found.append(_Uses(one, members, bare, max(0.0, -min(lifts)) if lifts else None))
+    return found
+
+
 def use_tables(sets: Iterable[HistorySet]) -> Iterator[Table]:
-    """Return a table of each set of histories of a building; plane frames have none."""
-    return tables_of_sets(
-        sets, "section_use_max", lambda motions, whose: USE.of(_uses(list(chain(*motions))), whose=whose)
-    )
+    """Return the tables of each set of histories: the worst member of each storey, and all beyond 1."""
+    for uses in _uses(list(sets)):
+        places: dict[tuple[str, int], _Use] = {}
+        for one in uses.rows:
+            place = one.member.kind, one.member.storey
+            if place not in places or one.member.use > places[place].member.use:
+                places[place] = one
+        rows = sorted(places.items(), key=lambda place: (KINDS.index(place[0][0]), place[0][1]))
+        notes = wrapped(f"{uses.note} {MEANING}".strip())
+        notes += missing_notes([uses.found], labelled=False)
+        without = ("largest",) if uses.found.motions == 1 else ()
+        yield USE.of([one for _, one in rows], whose=label(uses.found), notes=notes, without=without)
+        if beyond := [one for kind in KINDS for one in uses.beyond(kind)]:
+            yield BEYOND.of(beyond, whose=label(uses.found), without=without)
 
 
-def _largest(groups: Sequence[Group], quantity: str) -> np.ndarray | None:
-    found = [values.reshape(len(values), -1).max(axis=1) for g in groups if (values := peak(g, quantity)) is not None]
-    return np.max(found, axis=0) if len(found) == len(groups) else None
+def _worst(kind: str, uses: _Uses) -> float | None:
+    worst = uses.worst(kind)
+    return None if worst is None else worst.use
 
 
-def _uses(groups: Sequence[Group]) -> Iterator[_Use]:
-    names = [str(name) for name in groups[0].coords["member"].values]
-    section, member = (_largest(groups, name) for name in ("section_use", "member_use"))
-    assert section is not None
-    places: dict[tuple[str, int], list[int]] = {}
-    for i, name in enumerate(names):
-        places.setdefault((member_kind(name), storey_of(name)), []).append(i)
-    for (kind, storey), own in sorted(places.items(), key=lambda place: (place[0][0] != "column", place[0][1])):
-        worst = max(own, key=section.__getitem__)
-        of_section = float(section[worst]), names[worst]
-        if member is None:
-            yield _Use(kind, storey, *of_section, None, None)
-        else:
-            worst = max(own, key=member.__getitem__)
-            yield _Use(kind, storey, *of_section, float(member[worst]), names[worst])
+def _worst_name(kind: str, uses: _Uses) -> str | None:
+    worst = uses.worst(kind)
+    return None if worst is None else worst.name
+
+
+IN_SHORT = TableSpec[_Uses](
+    "use_in_short",
+    "Use of members under the forces of the histories",
+    (
+        text("histories", lambda uses: label(uses.found)),
+        *(
+            column
+            for kind in KINDS
+            for column in (
+                col(f"{kind}s", ONE, partial(_worst, kind), form=".2f", optional=True),
+                text("of", partial(_worst_name, kind), name=f"worst {kind}", optional=True),
+            )
+        ),
+        col("tension", KN, "tension", 3, negligible=0.5, bare=True, optional=True),
+        col("uplift", KN, "uplift", 3, negligible=0.5, bare=True, optional=True),
+    ),
+    most=12,
+    cut="and {more} more, among all tables",
+    named_by_title=True,
+)
+
+
+def use_in_short(sets: Sequence[HistorySet]) -> Table:
+    """Return the worst uses of each set in a row, and in lines below which members go beyond 1, and why.
+
+    Args:
+        sets: of histories; those of archives that do not know uses are left out.
+    """
+    every = _uses(sets)
+    rules = list(dict.fromkeys(uses.note for uses in every if uses.note))
+    notes = wrapped(" ".join([*rules, "Tension: of columns; uplift: of supports."])) if every else []
+    for uses in every[: IN_SHORT.most]:
+        notes += _in_words(uses)
+    return IN_SHORT.of(every, notes=notes)
+
+
+def _in_words(uses: _Uses) -> list[str]:
+    """Lines on the members beyond 1: those that are not without dampers first."""
+    lines = []
+    for kind in KINDS:
+        beyond = uses.beyond(kind)
+        because = [one for one in beyond if one.bare is not None and one.bare <= 1.0]
+        if because:
+            named = [f"{one.member.name} {one.member.use:.2f} (without {one.bare:.2f})" for one in because]
+            lines += wrapped(f"{label(uses.found)}: dampers bring {kind}s beyond 1: {_listed(named)}")
+        if others := [one for one in beyond if one not in because]:
+            of = sum(one.kind == kind for one in uses.members)
+            named = [f"{one.member.name} {one.member.use:.2f}" for one in others]
+            more = "further " if because else ""
+            lines += wrapped(f"{label(uses.found)}: {len(others)} {more}of {of} {kind}s beyond 1: {_listed(named)}")
+    return lines
+
+
+def _listed(named: Sequence[str]) -> str:
+    more = len(named) - NAMED
+    return ", ".join(named[:NAMED]) + (f" and {more} more" if more > 0 else "")

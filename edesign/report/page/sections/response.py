@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from edesign.assess.sets import HistorySet
 from edesign.report.assessment.change_tables import changes_table
 from edesign.report.assessment.measure_tables import record_measures_table, statistics_tables
 from edesign.report.drawing.captions import at_level
@@ -11,8 +12,9 @@ from edesign.report.response.analysis_tables import measures_table
 from edesign.report.response.mean_profiles import mean_profile_figures
 from edesign.report.response.orbits import orbit_figures
 from edesign.report.response.profile_figures import profile_figures
+from edesign.report.response.support_tables import support_tables
 from edesign.report.response.torsion_tables import torsion_tables
-from edesign.report.response.use_tables import use_tables
+from edesign.report.response.use_tables import use_in_short, use_tables
 
 SHOWN = 2  # tables of statistics, mean and maximum; the others on demand
 
@@ -34,11 +36,23 @@ def response(source: Source) -> Section:
         table = measures_table(source.entries)
         parts += [table] if table.rows else []
     parts += torsion_tables(sets)
-    parts += use_tables(sets)
+    parts += _members(sets)
     parts += _profiles(source)
     orbits = source.pictures(orbit_figures)
     parts += [Folded("Orbits in plan", orbits)] if len(orbits) > 1 else orbits
     return Section("response", "Peak response", (), tuple(parts))
+
+
+def _members(sets: list[HistorySet]) -> list[Part]:
+    """Return how far members are used, in short, with the worst of each storey and the reactions folded."""
+    short = use_in_short(sets)
+    parts: list[Part] = [short] if short.rows else []
+    for said, tables in (
+        ("Use of columns, beams and braces, of each storey and beyond 1", tuple(use_tables(sets))),
+        ("Reactions of supports for foundations", tuple(support_tables(sets))),
+    ):
+        parts += [Folded(said, tables)] if tables else []
+    return parts
 
 
 def _profiles(source: Source) -> list[Part]:
