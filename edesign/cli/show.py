@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import sys
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 from typing import Annotated
 
@@ -17,13 +18,15 @@ from edesign.errors import InputError
 from edesign.optional_stages import optional
 from edesign.project.reading.problems import unknown_name
 from edesign.report.archive.figures import draw_figures
+from edesign.report.archive.loaded_member import loaded_member_data, loaded_member_tables
 from edesign.report.archive.summary import summarise
 from edesign.report.archive.tables import details, overview, short_tables
 from edesign.report.assessment.verdict_data import write_verdicts
 from edesign.report.building.checks import member_data, member_tables
-from edesign.report.building.results import building_results
+from edesign.report.building.results import building_results, has_members
 from edesign.report.drawing.style import check_format
 from edesign.report.inputs.designed_dampers import DESIGNS
+from edesign.report.tables.table import Table
 from edesign.report.tables.text import PAPER, print_tables
 
 
@@ -42,7 +45,10 @@ def show(
     member: Annotated[
         str | None,
         typer.Option(
-            "--member", "-m", metavar="NAME", help="Checks of one member of a building, one as a worked calculation."
+            "--member",
+            "-m",
+            metavar="NAME",
+            help="A member: its checks in a building's design, or under histories, one as a worked calculation.",
         ),
     ] = None,
     devices: Annotated[
@@ -62,14 +68,12 @@ def show(
 
     def read(opened: Archive) -> Callable[[], None]:
         refuse_calibration(opened)
-        if member is not None:
-            of_building = building_results(opened)
         if as_json:
-            found = {"member": member_data(of_building, member)} if member is not None else summarise(opened, analysis)
+            found = {"member": _data(opened, member, analysis)} if member is not None else summarise(opened, analysis)
             text = json.dumps(found, indent=2, allow_nan=False, ensure_ascii=False)
             return lambda: print(text)
         if member is not None:
-            worked = member_tables(of_building, member)
+            worked = _tables(opened, member, analysis)
             return lambda: print_tables(worked)
         if analysis is None and not whole:
             short = short_tables(opened)
@@ -97,6 +101,26 @@ def show(
             print(nothing, file=sys.stderr, flush=True)
     if damage:
         raise DamagedArchive(f"{damage} [E-ARCH-03]")
+
+
+def _tables(opened: Archive, member: str, analysis: str | None) -> list[Table]:
+    """The checks of a member in the design of a building, and under the forces of analyses, as far as there are any."""
+    if analysis is not None or not has_members(opened):
+        return loaded_member_tables(opened, member, analysis)
+    found = member_tables(building_results(opened), member)
+    with suppress(InputError):
+        found += loaded_member_tables(opened, member)
+    return found
+
+
+def _data(opened: Archive, member: str, analysis: str | None) -> dict[str, object]:
+    """What `_tables` shows, in SI."""
+    if analysis is not None or not has_members(opened):
+        return loaded_member_data(opened, member, analysis)
+    found = member_data(building_results(opened), member)
+    with suppress(InputError):
+        found["analyses"] = loaded_member_data(opened, member)
+    return found
 
 
 def _devices(opened: Archive, design: str) -> str:

@@ -165,6 +165,11 @@ class BuildingResults:
         )
 
 
+def has_members(archive: Archive) -> bool:
+    """Return whether an archive has the members of the elastic design of a building."""
+    return archive.attributes.get("kind") == BUILDING and archive.has(_place("members"))
+
+
 def building_results(archive: Archive) -> BuildingResults:
     """Return the results of a building.
 

@@ -10,6 +10,7 @@ from edesign.project.building.layout import ways
 from edesign.project.building.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.building.names import BracePlace
 from edesign.project.frame.materials import ElasticMaterial, Material, MenegottoPintoMaterial, with_stiffness
+from edesign.project.frame.member_design import MemberStability, SteelFactors
 from edesign.project.frame.sections import BoxSection, PlateSection, RectangleSection
 from edesign.project.notation.names import line_name
 from edesign.project.reading.yaml_edit import yaml_text
@@ -20,6 +21,7 @@ from edesign.space.extract.plane_frame import AtNodes, PlaneFrame, parallel_fram
 from edesign.space.extract.selections import runs, selection, value
 from edesign.space.extract.study_text import StudyNames, study_blocks
 from edesign.space.structure.area_loads import BeamShare
+from edesign.space.structure.design_block import design_of
 from edesign.space.structure.load_cases import PERMANENT, SELF_WEIGHT
 from edesign.space.structure.masses import gravity_factor
 
@@ -90,6 +92,7 @@ class _ProjectText:
             self.materials,
             self.loads,
             self.masses,
+            self.design,
             self.actions,
         )
         return [line for part in parts for line in part()]
@@ -318,6 +321,16 @@ class _ProjectText:
         for at, floors, mass in runs(tonnes, self.lines, self.storeys, line_name):
             text.append(f"    - {{lines: {at}, floors: {floors}, mass: {value(mass, 't')}}}")
         return [*text, ""]
+
+    def design(self) -> list[str]:
+        """What the checks of members go by, as in the building."""
+        if self.building.design is None:
+            return []
+        design = design_of(self.building)
+        members = design.members.model_dump(include=set(MemberStability.model_fields), exclude_defaults=True)
+        factors = design.partial_factors.model_dump(include=set(SteelFactors.model_fields))
+        blocks = ({"members": members} if members else {}) | {"partial_factors": factors}
+        return ["design:", *(f"  {name}: {yaml_text(of).strip()}" for name, of in blocks.items()), ""]
 
     def actions(self) -> list[str]:
         """The seismic action of the building, and analyses to begin with."""
