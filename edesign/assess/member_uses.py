@@ -136,8 +136,9 @@ def _bending(found: HistorySet, names: Sequence[str], groups: Sequence[Group]) -
             names[row],
             float(when),
             float(axial[np.argmin(axial)]),
-            *(float(np.abs(force).max()) for force in others),
-            tension=tension.get(name, 0.0),
+            float(np.abs(others[0]).max()),
+            float(np.abs(others[1]).max()),
+            tension.get(name, 0.0),
         )
 
 

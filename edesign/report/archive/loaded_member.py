@@ -147,9 +147,8 @@ def loaded_member_tables(archive: Archive, name: str, analysis: str | None = Non
         _Place(float(place), tuple(forces))
         for place, forces in zip(followed.forces.stations, followed.forces.steady.tolist(), strict=True)
     ]
-    words = {"history": followed.history, "at": at}
-    tables = [UNDER.of(rows, whose=name, notes=notes), CONCURRENT.of(places, whose=name, **words)]
-    return [*tables, _calculation(followed, at)]
+    forces = CONCURRENT.of(places, whose=name, history=followed.history, at=at)
+    return [UNDER.of(rows, whose=name, notes=notes), forces, _calculation(followed, at)]
 
 
 def loaded_member_data(archive: Archive, name: str, analysis: str | None = None) -> dict[str, object]:
@@ -327,8 +326,8 @@ def _calculation(followed: Followed, at: str) -> Table:
         []
         if followed.steps
         else [
-            f"the calculation from these forces gives {significant(followed.found)}: the archive is of another version, "
-            "or the section of class 4"
+            f"the calculation from these forces gives {significant(followed.found)}: the archive is of another "
+            "version, or the section of class 4"
         ]
     )
     notes.append(f"utilisation {significant(finite(followed.archived))} at {at}: {met} ({followed.clause})")
