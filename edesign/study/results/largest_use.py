@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from copy import copy
 from dataclasses import dataclass
+from typing import Self
 
 import numpy as np
 
@@ -60,25 +62,27 @@ class Largest:
         bound: np.ndarray,
         exact: Exact,
         forces: Exact,
+        chosen: np.ndarray,
     ) -> None:
         """See further steps.
 
         Args:
             abscissa: (n,).
-            bound: (n, *shape) never less than the use.
-            exact: gives the use in steps of places, both as numbers.
+            bound: (n, ...) never less than the use, of the chosen places.
+            exact: gives the use in steps of chosen places, both as numbers.
             forces: likewise what is kept of them, (k, width).
+            chosen: (places,) numbers of the places among all.
         """
         flat = bound.reshape(len(bound), -1)
         use = self.use.reshape(-1)
         rows = flat.argmax(axis=0)
-        places = np.flatnonzero(flat[rows, np.arange(use.size)] > use)
+        places = np.flatnonzero(flat[rows, np.arange(chosen.size)] > use[chosen])
         if not places.size:
             return
-        self._keep(abscissa, rows[places], places, exact, forces)
-        rows, at = np.nonzero(flat[:, places] > use[places])
+        self._keep(abscissa, rows[places], places, exact, forces, chosen)
+        rows, at = np.nonzero(flat[:, places] > use[chosen[places]])
         if rows.size:
-            self._keep(abscissa, rows, places[at], exact, forces)
+            self._keep(abscissa, rows, places[at], exact, forces, chosen)
 
     def _keep(
         self,
@@ -87,15 +91,17 @@ class Largest:
         places: np.ndarray,
         exact: Exact,
         forces: Exact,
+        chosen: np.ndarray,
     ) -> None:
         use, at = self.use.reshape(-1), self.at.reshape(-1)
         cut = range(0, len(rows), _AT_ONCE)
         found = np.concatenate([exact(rows[i : i + _AT_ONCE], places[i : i + _AT_ONCE]) for i in cut])
-        more = np.flatnonzero(found > use[places])
+        more = np.flatnonzero(found > use[chosen[places]])
         order = more[np.lexsort((-rows[more], found[more]))]  # of a place the last assignment stays: the first largest
-        use[places[order]] = found[order]
-        at[places[order]] = abscissa[rows[order]]
-        self.forces.reshape(use.size, -1)[places[order]] = forces(rows[order], places[order])
+        to = chosen[places[order]]
+        use[to] = found[order]
+        at[to] = abscissa[rows[order]]
+        self.forces.reshape(use.size, -1)[to] = forces(rows[order], places[order])
 
 
 class Sections:
@@ -130,11 +136,34 @@ class Sections:
         grow_y, grow_z = 1.0 / (1.0 - 0.5 * self._of("a_y")), 1.0 / (1.0 - 0.5 * self._of("a_z"))
         names = ("N", "M_y", "M_z", "V_y", "V_z")
         resistances = (1.0 / self._of(f"{name}_Rd") for name in names)
-        self._factors = [of[:, None] for of in (*resistances, grow_y, grow_z)]
+        self._factors = [of[:, None] for of in resistances]
+        self._grow = grow_y[:, None], grow_z[:, None]
 
     def _of(self, name: str) -> np.ndarray:
         """A constant of all members as of class 1 or 2."""
         return self._table.column(name)[self._kind]
+
+    def of(self, chosen: np.ndarray) -> Self:
+        """Return the same of some members.
+
+        Args:
+            chosen: their numbers.
+        """
+        if chosen.size == self._kind.size:
+            return self
+        found = copy(self)
+        found._kind = self._kind[chosen]
+        found._plastic_up_to, found._elastic_up_to = self._plastic_up_to[chosen], self._elastic_up_to[chosen]
+        found._prepare()
+        return found
+
+    def ceiling(self, forces: Forces) -> np.ndarray:
+        """Return what the use passes under no forces of these magnitudes or less, each by itself.
+
+        Args:
+            forces: of n steps; of the axial force the magnitude.
+        """
+        return self._bound(forces, self._highest)
 
     def bound(self, forces: Forces) -> np.ndarray:
         """Return what the use of no place passes; infinite where the class leaves the clauses of class 2.
@@ -142,26 +171,24 @@ class Sections:
         Args:
             forces: of n steps.
         """
-        found = self._plastic_bound(forces)
+        return self._bound(forces, self._plastic_bound)
+
+    def _bound(self, forces: Forces, of: Callable[[Forces], np.ndarray]) -> np.ndarray:
+        found = of(forces)
         if float(forces.compression.max()) > self._lowest:
             limit = self._plastic_up_to.reshape(-1, *(1,) * (found.ndim - 2))
             found[forces.compression > limit] = np.inf
         return found
 
-    def _plastic_bound(self, forces: Forces) -> np.ndarray:
-        """Shear alone, and what it leaves: at least 1 - rho_y - rho_z of all resistances (6.2.8(3), 6.2.10(3)).
+    def _highest(self, forces: Forces) -> np.ndarray:
+        """The sum of 6.2.1(7), which grows with each force."""
+        n, m_y, m_z, shear = self._shares(forces)
+        return np.maximum(n + m_y if m_z is None else n + m_y + m_z, shear)
 
-        M_N,Rd / M_Rd is at least what is taken here; exponents are at least 1.5, or 1 of I sections about z.
-        """
-        per_N, per_M_y, per_M_z, per_V_y, per_V_z, grow_y, grow_z = self._factors
-        n, m_y = np.abs(forces.compression) * per_N, forces.M_y * per_M_y
-        m_z = None if forces.M_z is None else forces.M_z * per_M_z
-        shears = [V * per for V, per in ((forces.V_y, per_V_y), (forces.V_z, per_V_z)) if V is not None]
-        shear = shears[0] if len(shears) == 1 else np.maximum(*shears)
-        if float(shear.max()) > SHEAR_COUNTS:
-            left = 1.0 - sum(np.clip(2.0 * v - 1.0, 0.0, 1.0) ** 2 for v in shears)
-            grown = 1.0 / np.maximum(left, 1e-9)
-            n, m_y, m_z = n * grown, m_y * grown, None if m_z is None else m_z * grown
+    def _plastic_bound(self, forces: Forces) -> np.ndarray:
+        """M_N,Rd / M_Rd is at least what is taken here; exponents are at least 1.5, or 1 of I sections about z."""
+        n, m_y, m_z, shear = self._shares(forces)
+        grow_y, grow_z = self._grow
         linear = n + m_y if m_z is None else n + m_y + m_z
         left = np.maximum(1.0 - n, 1e-9)
         m_y = m_y / np.minimum(left * grow_y, 1.0)
@@ -171,6 +198,19 @@ class Sections:
         powers = np.maximum(np.maximum(m_y, m_z), m_y * np.sqrt(m_y) + m_z)
         within = np.where((m_y > 1.0) | (m_z > 1.0), linear, np.minimum(powers, linear))
         return np.maximum(within, shear)
+
+    def _shares(self, forces: Forces) -> tuple[np.ndarray, np.ndarray, np.ndarray | None, np.ndarray]:
+        """N, M_y and M_z over what shear leaves at least, 1 - rho_y - rho_z (6.2.8(3), 6.2.10(3)), and shear alone."""
+        per_N, per_M_y, per_M_z, per_V_y, per_V_z = self._factors
+        n, m_y = np.abs(forces.compression) * per_N, forces.M_y * per_M_y
+        m_z = None if forces.M_z is None else forces.M_z * per_M_z
+        shears = [V * per for V, per in ((forces.V_y, per_V_y), (forces.V_z, per_V_z)) if V is not None]
+        shear = shears[0] if len(shears) == 1 else np.maximum(*shears)
+        if float(shear.max()) > SHEAR_COUNTS:
+            left = 1.0 - sum(np.clip(2.0 * v - 1.0, 0.0, 1.0) ** 2 for v in shears)
+            grown = 1.0 / np.maximum(left, 1e-9)
+            n, m_y, m_z = n * grown, m_y * grown, None if m_z is None else m_z * grown
+        return n, m_y, m_z, shear
 
     def use(self, forces: Forces, rows: np.ndarray, places: np.ndarray) -> np.ndarray:
         """Return the use in steps of places, for which the core takes them as members of their own.
@@ -218,6 +258,9 @@ class Buckling(Sections):
         self._k_zz = C_mz, C_mz * of_shape
         self._k_zy = np.where(twists, np.minimum(1.0, 0.6 + z), 0.0), np.where(twists, 0.0, 0.6)
         self._per = [1.0 / self._of(name) for name in ("N_b_y_Rd", "N_b_z_Rd", "M_b_Rd", "M_z_Rk")]
+
+    def _highest(self, forces: Forces) -> np.ndarray:
+        return self._plastic_bound(forces)
 
     def _plastic_bound(self, forces: Forces) -> np.ndarray:
         """Tables B.1 and B.2 with factors that do not fall; infinite with Annex A, whose factors have no such bound."""

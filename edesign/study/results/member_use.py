@@ -65,59 +65,72 @@ class MemberUse:
         self._load_moments = np.zeros((len(names), STATIONS.size, self._axes))
         if self._of_members is not None:
             self._load_moments = moments_inside(file, frame, names)
-            inside = np.moveaxis(self._load_moments[self._judged], 2, 0)
-            self._inside = [
-                (axis, np.flatnonzero(of.any(axis=1)), of[of.any(axis=1)]) for axis, of in enumerate(inside) if of.any()
-            ]
+        self._loads = self._load_moments[self._judged]
 
     def see(self, abscissas: np.ndarray, values: Mapping[str, np.ndarray]) -> None:
-        """See further steps; see `Observer`."""
+        """See further steps; see `Observer`. Of most of them the peaks of each force show that they are not needed."""
         if self._of_sections is None:
             return
         axial, shear, moment = (values[name] for name in self.needs)
-        shear, moment = (of.reshape(*axial.shape, self._axes) for of in (shear, moment))
+        every = axial, *(of.reshape(*axial.shape, self._axes) for of in (shear, moment))
         if not self._judged.all():
-            axial, shear, moment = (of[:, self._judged] for of in (axial, shear, moment))
-        forces = Forces(axial * _COMPRESSION, *self._by_axis(np.abs(moment)), *self._shear(np.abs(shear)))
-        every = axial, shear, moment
-        self._section_use.see(
-            abscissas,
-            self._of_sections.bound(forces),
-            partial(self._of_sections.use, forces),
-            partial(_of_ends, every),
-        )
+            every = tuple(of[:, self._judged] for of in every)
+        peaks = [np.maximum(of.max(axis=0), -of.min(axis=0))[None] for of in every]
+        weak = self._weak
+        peak = Forces(peaks[0], *self._by_axis(peaks[2], weak), *self._shear(peaks[1], weak))
+        chosen = np.flatnonzero((self._of_sections.ceiling(peak)[0] > self._section_use.use).any(axis=1))
+        if chosen.size:
+            self._see_sections(abscissas, _some(every, chosen), chosen)
         if self._of_members is not None:
-            tops = self._by_axis(self._largest_moments(moment))
-            forces = Forces(forces.compression.max(axis=2), *tops)
-            self._member_use.see(
-                abscissas,
-                self._of_members.bound(forces),
-                partial(self._of_members.use, forces),
-                partial(_of_members, every),
-            )
+            tops = peaks[2].max(axis=2) + np.abs(self._loads).max(axis=1)
+            peak = Forces(peaks[0].max(axis=2), *self._by_axis(tops, weak))
+            chosen = np.flatnonzero(self._of_members.ceiling(peak)[0] > self._member_use.use)
+            if chosen.size:
+                self._see_members(abscissas, _some(every, chosen), chosen)
 
-    def _by_axis(self, values: np.ndarray) -> tuple[np.ndarray, np.ndarray | None]:
+    def _see_sections(self, abscissas: np.ndarray, every: tuple[np.ndarray, ...], chosen: np.ndarray) -> None:
+        assert self._of_sections is not None
+        axial, shear, moment = every
+        weak, sections = self._weak[chosen], self._of_sections.of(chosen)
+        forces = Forces(axial * _COMPRESSION, *self._by_axis(np.abs(moment), weak), *self._shear(np.abs(shear), weak))
+        places = (2 * chosen[:, None] + np.arange(2)).ravel()
+        exact, kept = partial(sections.use, forces), partial(_of_ends, every)
+        self._section_use.see(abscissas, sections.bound(forces), exact, kept, places)
+
+    def _see_members(self, abscissas: np.ndarray, every: tuple[np.ndarray, ...], chosen: np.ndarray) -> None:
+        assert self._of_members is not None
+        members, tops = self._of_members.of(chosen), self._largest_moments(every[2], self._loads[chosen])
+        compression = (every[0] * _COMPRESSION).max(axis=2)
+        forces = Forces(compression, *self._by_axis(tops, self._weak[chosen]))
+        exact, kept = partial(members.use, forces), partial(_of_members, every)
+        self._member_use.see(abscissas, members.bound(forces), exact, kept, chosen)
+
+    def _by_axis(self, values: np.ndarray, weak: np.ndarray) -> tuple[np.ndarray, np.ndarray | None]:
         """Moments about y and z of moments by axis; of a plane frame each member has one of them."""
         if self._in_space:
             return values[..., 0], values[..., 1]
         values = values[..., 0]
-        if not self._weak.any():
+        if not weak.any():
             return values, None
-        weak = self._weak.reshape(-1, *(1,) * (values.ndim - 2))
+        weak = weak.reshape(-1, *(1,) * (values.ndim - 2))
         return np.where(weak, 0.0, values), np.where(weak, values, 0.0)
 
-    def _shear(self, values: np.ndarray) -> tuple[np.ndarray | None, np.ndarray | None]:
+    def _shear(self, values: np.ndarray, weak: np.ndarray) -> tuple[np.ndarray | None, np.ndarray | None]:
         """Shears along y and z: those that go with bending about z and y."""
-        with_y, with_z = self._by_axis(values)
+        with_y, with_z = self._by_axis(values, weak)
         return with_z, with_y
 
-    def _largest_moments(self, moments: np.ndarray) -> np.ndarray:
+    @staticmethod
+    def _largest_moments(moments: np.ndarray, loads: np.ndarray) -> np.ndarray:
         """The largest moments of each member in each step by axis, (n, m, axes), loads inside counted."""
         tops = np.abs(moments).max(axis=2)
-        for axis, members, loads in self._inside:
+        for axis in range(loads.shape[2]):
+            members = np.flatnonzero(loads[..., axis].any(axis=1))
+            if not members.size:
+                continue
             start, end, largest = moments[:, members, 0, axis], moments[:, members, 1, axis], tops[:, members, axis]
-            for share, load in zip(STATIONS[1:-1], loads.T[1:-1], strict=True):
-                inside = share * end - (1.0 - share) * start + load
+            for at, share in enumerate(STATIONS[1:-1], start=1):
+                inside = share * end - (1.0 - share) * start + loads[members, at, axis]
                 np.maximum(largest, np.abs(inside, out=inside), out=largest)
             tops[:, members, axis] = largest
         return np.asarray(tops)
@@ -156,6 +169,11 @@ class MemberUse:
 def by_axis_of(dims: tuple[str, ...]) -> tuple[str, ...]:
     """Return dimensions with stations in the place of ends."""
     return tuple("station" if dim == "end" else dim for dim in dims)
+
+
+def _some(every: tuple[np.ndarray, ...], chosen: np.ndarray) -> tuple[np.ndarray, ...]:
+    """Forces of chosen members."""
+    return every if chosen.size == every[0].shape[1] else tuple(of[:, chosen] for of in every)
 
 
 def _of_ends(every: tuple[np.ndarray, ...], rows: np.ndarray, places: np.ndarray) -> np.ndarray:

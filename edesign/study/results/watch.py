@@ -49,7 +49,7 @@ class StepWatch:
     def __init__(self, observers: Sequence[Observer]) -> None:
         self._observers = observers
         self._seen = False
-        self._quantities: list[tuple[Quantity, int]] = []
+        self._quantities: list[tuple[Quantity, list[int], slice]] = []
 
     def watching(self, quantities: Sequence[Quantity]) -> list[Quantity]:
         """Return quantities of a run with those watched that observers need.
@@ -64,8 +64,9 @@ class StepWatch:
         at, self._quantities = 0, []
         for one in found:
             if one.watched:
-                self._quantities.append((one, at))
-                at += len(one.keys)
+                cells = list(one.keys)
+                self._quantities.append((one, cells, slice(at, at + len(cells))))
+                at += len(cells)
         return found
 
     def __call__(self, abscissas: np.ndarray, values: np.ndarray) -> None:
@@ -79,11 +80,11 @@ class StepWatch:
             return  # the run ends here, and its extremes tell
         self._seen = True
         found: dict[str, np.ndarray] = {}
-        for one, at in self._quantities:
-            columns = values[:, at : at + len(one.keys)]
-            if len(one.keys) < len(one.cells):
+        for one, cells, place in self._quantities:
+            columns = values[:, place]
+            if len(cells) < len(one.cells):
                 whole = np.zeros((len(values), len(one.cells)))
-                whole[:, list(one.keys)] = columns
+                whole[:, cells] = columns
                 columns = whole
             found[one.name] = columns.reshape(len(values), *one.shape)
         for observer in self._observers:

@@ -216,11 +216,12 @@ def test_a_column_of_a_history_by_hand() -> None:
     (verdict,) = judge(part(criteria).criteria, (), {"shaken": group}, whole)
     assert verdict.value == group.variables["member_use_max"].values[at] and verdict.place == "C_B2_1"
     group.attributes["kind"] = "history"
-    (table,) = use_tables(history_sets({"shaken": group}))
-    assert [row[:2] for row in table.texts] == [["column", "1"], ["column", "2"], ["beam", "1"], ["beam", "2"]]
-    uses = np.where([str(name)[0] == "B" for name in group.coords["member"].values], 0.0, 1.0)
-    first = uses * [str(name).endswith("_1") for name in group.coords["member"].values]
-    assert table.texts[0][4] == f"{(first * group.variables['member_use_max'].values).max():.2f}"
+    table, *_ = use_tables(history_sets({"shaken": group}))
+    places = [(kind, storey) for kind in ("column", "beam", "brace") for storey in ("1", "2")]
+    assert [tuple(row[:2]) for row in table.texts] == places
+    uses = [group.variables["section_use_max"].values.max(axis=1), group.variables["member_use_max"].values]
+    first = [str(name)[0] == "C" and str(name).endswith("_1") for name in group.coords["member"].values]
+    assert table.texts[0][3] == f"{np.max(uses, axis=0)[first].max():.2f}"
 
 
 def test_pushovers_have_uses_and_files_without_design_those_of_sections() -> None:
