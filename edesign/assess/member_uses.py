@@ -77,7 +77,6 @@ def without_dampers(sets: Sequence[HistorySet], found: HistorySet) -> HistorySet
     """Return the first set at the level of another one whose frame has no dampers; None: there is none but itself.
 
     Args:
-        sets: all sets.
         found: one of them.
     """
     for one in sets:

@@ -224,9 +224,6 @@ def follow(file: AnalysisFile, group: Group, history: str, name: str) -> Followe
 
     Args:
         file: the project or building of the analysis.
-        group: of the analysis.
-        history: its name.
-        name: of the member.
     """
     (member,) = checked_members(file, [name]).members
     at = [str(one) for one in group.coords["brace" if member_kind(name) == "brace" else "member"].values].index(name)
@@ -335,7 +332,7 @@ def _calculation(followed: Followed, at: str) -> Table:
 
 
 WORKED = TableSpec[Step](
-    "member_checks_in_numbers",
+    "member_use_in_numbers",
     "{found.group}: {found.member}, {found.kind} {found.section}, {found.material}: {found.check}",
     CALCULATION.columns,
     keys=3,

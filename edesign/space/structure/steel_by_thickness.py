@@ -54,8 +54,6 @@ def yield_by_thickness(
     """Return the yield strength of a section by its thickest part.
 
     Args:
-        file: of a building or a plane frame.
-        section: its name in the file.
         material: its steel in the file, whose name is that of a grade.
         given: f_y of the material, Pa.
         standard: whose table is taken.

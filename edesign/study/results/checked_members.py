@@ -81,7 +81,6 @@ def checked_members(file: AnalysisFile, names: Sequence[str]) -> CheckedMembers:
     Beams have the length of their bay: braces and dampers that meet them do not hold them.
 
     Args:
-        file: of a plane frame or a building.
         names: of columns, beams or braces.
 
     Raises:
@@ -170,8 +169,6 @@ def moments_inside(file: AnalysisFile, frame: FrameModel, names: Sequence[str]) 
     """Return what loads of the gravity combination inside members add to the line between the moments at their ends.
 
     Args:
-        file: of a plane frame or a building.
-        frame: its model.
         names: of columns and beams.
 
     Returns:

@@ -48,7 +48,6 @@ class Largest:
     """The largest use so far of each place, where it was, and the forces there.
 
     Args:
-        shape: of the places.
         width: number of the forces that are kept of each.
     """
 
@@ -144,11 +143,7 @@ class Sections:
         return self._table.column(name)[self._kind]
 
     def of(self, chosen: np.ndarray) -> Self:
-        """Return the same of some members.
-
-        Args:
-            chosen: their numbers.
-        """
+        """Return the same of some members."""
         if chosen.size == self._kind.size:
             return self
         found = copy(self)

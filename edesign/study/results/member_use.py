@@ -247,8 +247,6 @@ def run_watch(file: AnalysisFile, frame: FrameModel, supports: bool = True) -> S
     """Return what watches a run: the use of columns, beams and braces, and the reactions of supports.
 
     Args:
-        file: of a plane frame or a building.
-        frame: its model.
         supports: whether reactions are watched.
 
     Raises:
