@@ -30,12 +30,12 @@ def frame_sites(project: Project) -> DamperSites:
         return Bay((low_left, low_right), (top_left, top_right), middle, width, height, ACROSS.degree)
 
     def bar(brace: BraceSection, length: float, damper: Keys) -> tuple[float, Strut | None]:
-        name = brace.section
+        name = brace.of(0)
         if name not in project.sections and BuildingSections().canonical(name) is None:
             keys = (*damper, "brace", "section")
             message = no_section(name, project.sections, BuildingSections())
             raise InputError(f"{project.where(*keys)}: {keys_text(keys)}: {message}")
         axial = project.materials[brace.material].E * cross_section(project, name).area / length
-        return axial, strut(project, name, brace.material, length)
+        return axial, strut(project, name, brace.material, length * brace.buckling_length_factor)
 
     return DamperSites(UP, bay, bar)

@@ -78,6 +78,11 @@ class DevicePlace:
     frame: str = ""
     direction: int | None = None
 
+    @property
+    def share(self) -> float:
+        """The axial force of a brace over the force of the dampers."""
+        return 1.0 / (self.braces * self.cosine)
+
 
 def device_places(
     project: AnalysisFile, run: DamperRun | DamperBetween, sites: DamperSites, nodes: Mapping[str, int], where: str

@@ -8,13 +8,14 @@ from dataclasses import dataclass
 from edesign.codes.aisc341.buckling_restrained import RestrainedBrace
 from edesign.core import CoreError, LawValues, Model
 from edesign.errors import InputError
+from edesign.frame.chosen_braces import chosen_brace
 from edesign.frame.device_places import DamperSites, DevicePlace, Term, device_places
 from edesign.frame.struts import Strut
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.dampers import (
     PROTOTYPE_SCALE,
-    BraceSection,
     BraceStiffness,
+    ChosenBrace,
     DamperBetween,
     DamperRun,
     restrained_misfits,
@@ -56,12 +57,14 @@ class BraceBar:
         share: its axial force / the force of the damper.
         alternates: one of a pair, of which one is compressed whichever way the damper acts; otherwise a damper that
             shortens compresses it.
+        material: name of its steel.
     """
 
     section: str
     strut: Strut | None
     share: float
     alternates: bool
+    material: str = ""
 
 
 @dataclass(frozen=True)
@@ -215,7 +218,7 @@ def add_devices(
             if restrained is not None:
                 deformation_scale = restrained.length / place.length
                 own_brace = restrained.at(force_scale, place.length)
-            brace, bar = _brace(sites, run, place, ("dampers", "devices", i))
+            brace, bar = _brace(sites, run, place, ("dampers", "devices", i), f"{where}: brace")
             play = run.brace.play or 0.0 if isinstance(run.brace, BraceStiffness) else 0.0
             name = names.free_name(place.name, taken)
             taken.add(name)
@@ -261,14 +264,18 @@ def _of_storey(values: float | tuple[float, ...], place: DevicePlace) -> float:
 
 
 def _brace(
-    sites: DamperSites, run: DamperRun | DamperBetween, place: DevicePlace, keys: Keys
+    sites: DamperSites, run: DamperRun | DamperBetween, place: DevicePlace, keys: Keys, where: str
 ) -> tuple[float, BraceBar | None]:
     """Stiffness in series, N/m, 0: rigid; and the brace as a bar if it is given by its section."""
-    if isinstance(run.brace, BraceStiffness):
-        return _of_storey(run.brace.stiffness, place), None
-    if not isinstance(run.brace, BraceSection):
+    brace = run.brace
+    if isinstance(brace, BraceStiffness):
+        return _of_storey(brace.stiffness, place), None
+    if brace == "rigid":
         return 0.0, None
-    axial, as_strut = sites.bar(run.brace, place.length, keys)
-    share = 1.0 / (place.braces * place.cosine)
-    bar = BraceBar(run.brace.section, as_strut, share, place.braces > 1)
+    if isinstance(brace, ChosenBrace):
+        brace = chosen_brace(sites, brace, place, keys, where)
+    else:
+        brace = brace.model_copy(update={"section": brace.of(place.index)})
+    axial, as_strut = sites.bar(brace, place.length, keys)
+    bar = BraceBar(brace.of(0), as_strut, place.share, place.braces > 1, brace.material)
     return place.braces * axial * place.cosine**2, bar

@@ -28,11 +28,12 @@ def check_dampers(building: Building, problems: Problems, profiles: Catalogue | 
         if isinstance(device, DamperBetween):
             check_apart(problems, ("dampers", "devices", i), device, building.layout.tied, _fixed(building))
         brace = device.brace
-        if not isinstance(brace, BraceSection) or profiles is None or brace.section in building.sections:
+        if not isinstance(brace, BraceSection) or profiles is None:
             continue
-        if profiles.canonical(brace.section) is None:
-            keys: Keys = ("dampers", "devices", i, "brace", "section")
-            problems.at_value(keys, no_section(brace.section, building.sections, profiles))
+        for section in brace.sections:
+            if section not in building.sections and profiles.canonical(section) is None:
+                keys: Keys = ("dampers", "devices", i, "brace", "section")
+                problems.at_value(keys, no_section(section, building.sections, profiles))
     for i, attachment in enumerate(building.dampers.attachments):
         _attachment(building, problems, ("dampers", "attachments", i), attachment)
 

@@ -9,6 +9,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field
 
 from edesign.project.frame.member_design import BucklingLength, LengthFactors, MemberStability, SteelFactors
+from edesign.project.frame.sections import SectionChoice
 from edesign.project.notation.selections import ALL_NUMBERS, Numbers
 from edesign.project.notation.several import ShortName
 from edesign.project.notation.units import (
@@ -24,8 +25,6 @@ from edesign.project.reading.base import Model, refuse
 
 SystemType = Literal["moment_frame", "concentric_diagonal", "concentric_v"]
 """Structural types of EN 1998-1, 6.3.1 and Table 6.2."""
-SectionFamily = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.+*? -]*$", max_length=24)]
-SectionChoice = Annotated[tuple[SectionFamily, ...], Field(min_length=1)]
 LeftOut = Literal[
     "4.2.3.2(6)",
     "4.4.2.2(3)",

@@ -9,8 +9,8 @@ from edesign.project.analysis_file import AnalysisFile
 from edesign.project.checks.selections import Selections
 from edesign.project.dampers.dampers import (
     PROTOTYPE_SCALE,
+    AnyChosenBrace,
     BraceSection,
-    BraceStiffness,
     DamperBetween,
     DamperLaw,
     DamperRun,
@@ -94,6 +94,23 @@ def _amplitude(project: AnalysisFile, problems: Problems, keys: Keys, analysis: 
             problems.at_key((*keys, "damper_strain"), message)
 
 
+def check_brace(project: AnalysisFile, problems: Problems, keys: Keys, brace: object, kind: str) -> None:
+    """Check braces that have a section, or get one: they have a length, and a material that is there.
+
+    Args:
+        keys: of the brace.
+        brace: in series with dampers.
+        kind: how these stand.
+    """
+    if not isinstance(brace, (BraceSection, AnyChosenBrace)):
+        return
+    if kind == "storey":
+        message = "a damper between floors has no brace geometry; give the `stiffness` of its brace [E-DAMPER-02]"
+        problems.at_value(keys, message)
+    if brace.material not in project.steels:
+        problems.at_value((*keys, "material"), unknown_name("material", brace.material, project.steels))
+
+
 def check_law(problems: Problems, keys: Keys, law: DamperLaw) -> None:
     """Check that a law is either in the file itself or in a law file.
 
@@ -117,13 +134,7 @@ def _device(project: AnalysisFile, problems: Problems, keys: Keys, device: Devic
         problems.at_value((*keys, "law"), unknown_name("damper law", device.law, laws))
     else:
         check_size(problems, keys, device, laws)
-    if isinstance(device.brace, BraceSection):
-        if device.kind == "storey":
-            message = "a damper between floors has no brace geometry; give the `stiffness` of its brace [E-DAMPER-02]"
-            problems.at_value((*keys, "brace"), message)
-        if device.brace.material not in project.steels:
-            message = unknown_name("material", device.brace.material, project.steels)
-            problems.at_value((*keys, "brace", "material"), message)
+    check_brace(project, problems, (*keys, "brace"), device.brace, device.kind)
     if isinstance(device, DamperBetween):
         _nodes(project, problems, keys, device)
 
@@ -236,9 +247,8 @@ def check_beams_met(keys: Keys, run: DamperRun | SizedDesign, project: Project, 
 
 def _lists(problems: Problems, keys: Keys, device: Device, storeys: int) -> None:
     """Lists have one value for each storey."""
-    stiffness = device.brace.stiffness if isinstance(device.brace, BraceStiffness) else None
     given: dict[Keys, object] = {(key,): getattr(device, key) for key in ("layer_area", "scale", "design_deformation")}
-    given[("brace", "stiffness")] = stiffness
+    given |= {("brace", key): getattr(device.brace, key, None) for key in ("stiffness", "section", "force")}
     for at, values in given.items():
         if isinstance(values, tuple) and len(values) != storeys:
             message = (

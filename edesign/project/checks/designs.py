@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.checks.analyses import check_drift
-from edesign.project.checks.dampers import check_beams_met
+from edesign.project.checks.dampers import check_beams_met, check_brace
 from edesign.project.checks.hysteretic_designs import check_hysteretic_design
 from edesign.project.checks.placement import (
     check_bays_of_frame,
@@ -14,11 +14,13 @@ from edesign.project.checks.placement import (
     check_design_hazard,
     check_placement_design,
 )
+from edesign.project.dampers.dampers import BraceSection
 from edesign.project.dampers.designs import (
     HYSTERETIC_LAWS,
     VISCOUS_LAWS,
     Bounds,
     Design,
+    DesignedBrace,
     DriftAmplitude,
     ElastomerDesign,
     FixedProperties,
@@ -31,6 +33,7 @@ from edesign.project.dampers.designs import (
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
+from edesign.project.reading.words import counted
 
 _RECOMMENDED_ALPHA = (10.0, 30.0)
 _TYPES = {"viscous": VISCOUS_LAWS, "hysteretic": HYSTERETIC_LAWS}
@@ -80,6 +83,7 @@ def check_design(
     else:
         _in_frame(keys, spec, project, problems)
     check_design_hazard(keys, spec, project, problems)
+    _braces((*keys, "brace"), spec, project, problems)
     _of_storeys(keys, spec, project, problems)
     amplitude = getattr(spec, "amplitude", None)
     if isinstance(amplitude, DriftAmplitude):
@@ -195,6 +199,25 @@ def _elastomer(keys: Keys, spec: ElastomerDesign, problems: Problems) -> None:
         _followed_strain(keys, spec, problems)
     if isinstance(spec.frequency, tuple) and spec.frequency[0] > spec.frequency[1]:
         problems.at_value((*keys, "frequency"), "the band runs backwards; write the lower frequency first [E-VALUE-04]")
+
+
+def _braces(keys: Keys, spec: SizedDesign, project: AnalysisFile, problems: Problems) -> None:
+    """Braces of sections stand along a length, one in each storey, and are held to the forces of a level."""
+    brace = getattr(spec, "brace", None)
+    if not isinstance(brace, (BraceSection, DesignedBrace)):
+        return
+    check_brace(project, problems, keys, brace, spec.kind)
+    if not _has_level(spec):
+        message = "this key is missing; the forces that braces hold are those of a hazard level [E-KEY-02]"
+        problems.under(keys[:-1], "level", message)
+    if isinstance(brace, DesignedBrace):
+        if isinstance(spec, SimplifiedDesign) and brace.ratio is not None:
+            problems.at_key((*keys, "ratio"), "`alpha` says how stiff they are at least; keep one of them [E-KEY-03]")
+        return
+    storeys = len(spec.storeys.numbers(1, project.grid.n_storeys))
+    if len(brace.sections) not in (1, storeys):
+        message = f"{counted(len(brace.sections), 'value')} for {counted(storeys, 'storey')}; one for each is needed"
+        problems.at_value((*keys, "section"), f"{message} [E-VALUE-04]")
 
 
 def _has_level(spec: SizedDesign) -> bool:

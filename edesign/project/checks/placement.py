@@ -6,10 +6,9 @@ import math
 from collections.abc import Callable
 
 from edesign.project.analysis_file import AnalysisFile
-from edesign.project.checks.dampers import check_size
+from edesign.project.checks.dampers import check_brace, check_size
 from edesign.project.checks.names import check_names, check_records
 from edesign.project.checks.selections import GridSelections, Selections
-from edesign.project.dampers.dampers import BraceSection, BraceStiffness
 from edesign.project.dampers.designs import Design
 from edesign.project.dampers.placement import CandidateBays, PlacementDesign
 from edesign.project.project import Project
@@ -93,20 +92,11 @@ def _catalogue(keys: Keys, spec: PlacementDesign, project: AnalysisFile, problem
         else:
             check_size(problems, where, item, laws)
         brace = item.brace
-        if isinstance(brace, BraceStiffness) and isinstance(brace.stiffness, tuple):
-            message = (
-                "an item may stand in any place; give one stiffness, and others in items of their own [E-VALUE-01]"
-            )
-            problems.at_value((*where, "brace", "stiffness"), message)
-        if isinstance(brace, BraceSection):
-            if (item.kind or spec.kind) == "storey":
-                message = (
-                    "a damper between floors has no brace geometry; give the `stiffness` of its brace [E-DAMPER-02]"
-                )
-                problems.at_value((*where, "brace"), message)
-            if brace.material not in project.steels:
-                message = unknown_name("material", brace.material, project.steels)
-                problems.at_value((*where, "brace", "material"), message)
+        for key in ("stiffness", "section", "force"):
+            if isinstance(getattr(brace, key, None), tuple):
+                message = f"an item may stand in any place; give one {key}, and others in items of their own"
+                problems.at_value((*where, "brace", key), f"{message} [E-VALUE-01]")
+        check_brace(project, problems, (*where, "brace"), brace, item.kind or spec.kind or "")
         # what is left changes the force: neither the cost nor the amplitude at which it counts in natural modes does
         alike = {"cost": 1.0, "design_deformation": None, "kind": item.kind or spec.kind, "scale": item.scale or 1.0}
         content = item.model_copy(update=alike).model_dump_json()

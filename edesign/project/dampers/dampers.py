@@ -8,13 +8,16 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import Field
 
 from edesign.project.dampers.isolation import AnyBaseDevice, Isolation
+from edesign.project.frame.sections import SectionChoice
 from edesign.project.notation.frames import Direction, Frames
 from edesign.project.notation.selections import Numbers
 from edesign.project.notation.temperature import Temperature
 from edesign.project.notation.units import (
+    BucklingLengthFactor,
     Factor,
     PositiveArea,
     PositiveFactor,
+    PositiveForce,
     PositiveFrequency,
     PositiveLength,
     PositiveMass,
@@ -113,12 +116,76 @@ class BraceSection(Model):
     """Braces of a section and material; their stiffness follows from the geometry.
 
     Attributes:
-        section: name of a profile of the catalogue, or of `sections`.
+        section: name of a profile of the catalogue, or of `sections`; one, or a list by storeys from the lowest.
         material: one of `materials`.
+        buckling_length_factor: buckling length over the length between nodes, at least 0.1.
     """
 
-    section: str
+    section: Annotated[str | tuple[str, ...], OneOf()]
     material: str
+    buckling_length_factor: BucklingLengthFactor = 1.0
+
+    @property
+    def sections(self) -> tuple[str, ...]:
+        """The names of its sections, from the lowest storey."""
+        return self.section if isinstance(self.section, tuple) else (self.section,)
+
+    def of(self, index: int) -> str:
+        """Return the name of the section in a storey.
+
+        Args:
+            index: of the storey among those of the dampers, from 0.
+        """
+        return self.sections[index if isinstance(self.section, tuple) else 0]
+
+
+Raised = Annotated[float, Field(ge=1.0, le=10.0)]
+"""A factor that makes a demand larger."""
+
+
+class GivenFactors(Model):
+    """Factors on what histories ask of dampers, and on what holds them.
+
+    Attributes:
+        stroke: on the deformation of dampers.
+        velocity: on their velocity.
+        overstrength: on the force of the dampers, at the stroke and velocity times their factors, that braces and
+            connections hold.
+        isolator_stroke: on the deformation of isolators.
+    """
+
+    stroke: Raised = 1.0
+    velocity: Raised = 1.0
+    overstrength: Raised = 1.0
+    isolator_stroke: Raised = 1.0
+
+
+class AnyChosenBrace(Model):
+    """Braces whose section the program chooses: the lightest that is strong, and as stiff as asked for.
+
+    Attributes:
+        choose: families, patterns or sections to choose from, such as `[SHS, CHS168.3x8]`.
+        material: one of `materials`, that yields.
+        buckling_length_factor: buckling length over the length between nodes, at least 0.1.
+        overstrength: factor on the force of the dampers that the braces hold.
+    """
+
+    choose: SectionChoice
+    material: str
+    buckling_length_factor: BucklingLengthFactor = 1.0
+    overstrength: Raised | None = None
+
+
+class ChosenBrace(AnyChosenBrace):
+    """Braces of dampers of a known force, of which the program chooses the section.
+
+    Attributes:
+        force: largest force of all dampers of a place along them; one, or a list by storeys from the lowest.
+        stiffness: least stiffness along the damper; one, or a list by storeys from the lowest.
+    """
+
+    force: Annotated[PositiveForce | tuple[PositiveForce, ...], OneOf()]
+    stiffness: Annotated[PositiveStiffness | tuple[PositiveStiffness, ...], OneOf()] | None = None
 
 
 Areas = Annotated[PositiveArea | tuple[PositiveArea, ...], OneOf()]
@@ -127,8 +194,8 @@ Scales = Annotated[PositiveFactor | tuple[PositiveFactor, ...], OneOf()]
 
 
 Brace = Annotated[
-    Literal["rigid"] | BraceStiffness | BraceSection,
-    OneOf(otherwise=BraceStiffness, section=BraceSection, material=BraceSection),
+    Literal["rigid"] | BraceStiffness | BraceSection | ChosenBrace,
+    OneOf(otherwise=BraceStiffness, choose=ChosenBrace, section=BraceSection, material=BraceSection),
 ]
 
 
@@ -293,7 +360,8 @@ class Dampers(Model):
         for device in self.devices:
             brace = device.brace
             if isinstance(brace, BraceSection):
-                other = brace.model_copy(update={"section": named(brace.section)})
+                names = tuple(map(named, brace.sections))
+                other = brace.model_copy(update={"section": names if isinstance(brace.section, tuple) else names[0]})
                 device = device.model_copy(update={"brace": other})
             found.append(device)
         return self.model_copy(update={"devices": tuple(found)})

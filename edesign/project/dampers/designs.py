@@ -8,6 +8,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field
 
 from edesign.project.analysis.damping import State
+from edesign.project.dampers.dampers import AnyChosenBrace, BraceSection
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.dampers.verification import HystereticVerify, Verify, ViscousVerify
 from edesign.project.notation.frames import Direction, Frames
@@ -92,7 +93,22 @@ class BraceRatio(Model):
     ratio: LeastBrace
 
 
-Brace = Annotated[Literal["rigid"] | BraceRatio, OneOf()]
+class DesignedBrace(AnyChosenBrace):
+    """Braces of which the program chooses the section in each storey, by the forces of the dampers of the design.
+
+    Attributes:
+        ratio: least stiffness of the braces of a storey together over that of the storey.
+    """
+
+    ratio: LeastBrace | None = None
+
+
+Brace = Annotated[
+    Literal["rigid"] | BraceRatio | BraceSection | DesignedBrace,
+    OneOf(otherwise=BraceRatio, choose=DesignedBrace, section=BraceSection, material=BraceSection),
+]
+HeldBrace = BraceSection | DesignedBrace
+"""Braces of sections, whose strength counts."""
 
 
 class Extremes(Model):
@@ -218,7 +234,8 @@ class SimplifiedDesign(_ElastomerDesign):
 
     Attributes:
         method: the simplified procedure of Fan and Lee.
-        alpha: braces over the stiffness of the storey.
+        alpha: braces over the stiffness of the storey; of braces of sections the least.
+        brace: sections of the braces; without the key they have the stiffness alone.
         beta: range of the dampers over the stiffness of the storey.
         beta_step: step of beta between trials.
         forces: shape of the lateral forces (EN 1998-1, Eqs. 4.10 and 4.11).
@@ -227,6 +244,12 @@ class SimplifiedDesign(_ElastomerDesign):
 
     method: Literal["simplified"]
     alpha: PositiveFactor = 10.0
+    brace: (
+        Annotated[
+            BraceSection | DesignedBrace, OneOf(choose=DesignedBrace, section=BraceSection, material=BraceSection)
+        ]
+        | None
+    ) = None
     beta: tuple[PositiveFactor, PositiveFactor] = (0.5, 5.0)
     beta_step: PositiveFactor = 0.1
     forces: Literal["first_mode", "heights"] = "first_mode"

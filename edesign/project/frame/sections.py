@@ -15,6 +15,9 @@ from edesign.project.reading.problems import did_you_mean, listed
 SectionAxis = Literal["strong", "weak"]
 ResidualStress = Literal["none", "eccs"]
 FibreCount = Annotated[int, Field(ge=1, le=1000)]
+SectionFamily = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.+*? -]*$", max_length=24)]
+SectionChoice = Annotated[tuple[SectionFamily, ...], Field(min_length=1)]
+"""Families, patterns or sections to choose from: `SHS`, `HEB3*`, `CHS168.3x8`."""
 
 
 class PlateSection(Model):

@@ -18,6 +18,7 @@ from edesign.project.analysis.shaking import Shaking
 from edesign.project.analysis.wave_passage import WavePassage
 from edesign.project.analysis_file import AnalysisFile, Identifier
 from edesign.project.criteria.criteria import Criteria, Objectives
+from edesign.project.dampers.dampers import GivenFactors
 from edesign.project.dampers.designs import Bounds, Design
 from edesign.project.document import Document
 from edesign.project.notation.several import Names, ShortName, several
@@ -27,6 +28,7 @@ from edesign.project.notation.written import Written, one_or_list
 from edesign.project.project import Project
 from edesign.project.reading.base import FormatVersion, Model
 from edesign.project.reading.file_model import FileModel
+from edesign.project.reading.one_of import OneOf
 from edesign.project.reading.values import KeyPath
 from edesign.project.study.derived import Derived, Side, Vary, derived_name
 from edesign.project.study.incremental import Incremental
@@ -158,6 +160,8 @@ class Study(FileModel):
         pushovers: pushovers of the variants.
         criteria: what is demanded of the variants.
         objectives: cells of the table of FEMA 356 (performance level and probability) that are wanted.
+        device_factors: factors on stroke and velocity of dampers, and on what holds them, of a code or numbers; without
+            the key those that go with the code of the hazard.
         outputs: what is kept in the archive.
     """
 
@@ -176,6 +180,12 @@ class Study(FileModel):
     pushovers: tuple[Pushovers, ...] = ()
     criteria: Criteria = ()
     objectives: Objectives = ()
+    device_factors: (
+        Annotated[
+            Literal["asce7", "asce7_redundant", "fema356", "fema356_redundant", "ec8", "none"] | GivenFactors, OneOf()
+        ]
+        | None
+    ) = None
     outputs: StudyOutputs = StudyOutputs()
 
     _path: Path = PrivateAttr(default=Path("study.yaml"))

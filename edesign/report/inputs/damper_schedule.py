@@ -13,7 +13,7 @@ from edesign.codes.rule_check import with_standard
 from edesign.damper.laws import LAWS
 from edesign.frame.devices import Device, DeviceSize
 from edesign.ground_motion.hazard import rules_in_force
-from edesign.project.dampers.dampers import BraceSection
+from edesign.project.dampers.dampers import AnyChosenBrace, BraceSection
 from edesign.project.notation.names import damper_place
 from edesign.project.project import Project
 from edesign.project.study.study import Study, own_variant
@@ -137,7 +137,9 @@ def _schedule(variant: str, alike: Sequence[_Alike], project: Project) -> Table:
     places = sum(len(group.devices) for group in alike)
     number = sum(len(group.devices) * group.devices[0].size.number for group in alike)
     notes = []
-    if project.dampers is not None and any(isinstance(d.brace, BraceSection) for d in project.dampers.devices):
+    if project.dampers is not None and any(
+        isinstance(d.brace, (BraceSection, AnyChosenBrace)) for d in project.dampers.devices
+    ):
         notes.append("The stiffness of a brace follows from its section and length.")
     total = ("total", "", "", "", places, number, "", "")
     return SCHEDULE.of([*rows, total], notes=notes, of=f", {variant}" if variant else "")

@@ -141,7 +141,8 @@ class DevicesOnSheet:
 
 
 def _stiffness(run: DamperRun) -> object:
-    return getattr(run.brace, "stiffness", None)
+    """What changes with the storeys of braces: their stiffness or section."""
+    return getattr(run.brace, "stiffness", getattr(run.brace, "section", None))
 
 
 def _changes(run: DamperRun) -> bool:

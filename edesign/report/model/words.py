@@ -8,7 +8,14 @@ from pathlib import Path
 from edesign.damper.laws import LAWS
 from edesign.damper.parameter_sets import PARAMETER_SETS
 from edesign.project.analysis_file import AnalysisFile
-from edesign.project.dampers.dampers import BraceSection, BraceStiffness, DamperBetween, DamperLaw, DamperRun
+from edesign.project.dampers.dampers import (
+    AnyChosenBrace,
+    BraceSection,
+    BraceStiffness,
+    DamperBetween,
+    DamperLaw,
+    DamperRun,
+)
 from edesign.project.dampers.isolation import AnyBaseDevice
 from edesign.project.frame.sections import (
     BoxSection,
@@ -19,6 +26,7 @@ from edesign.project.frame.sections import (
     SpaceSection,
 )
 from edesign.project.notation.selections import LineSelection, NumberSelection
+from edesign.project.reading.problems import listed
 from edesign.report.drawing.style import VARIANTS
 from edesign.report.drawing.symbols import power_of_ten, with_indices_of_laws
 
@@ -111,7 +119,9 @@ def brace_words(device: DamperRun | DamperBetween, index: int = 0) -> str:
     """
     brace = device.brace
     if isinstance(brace, BraceSection):
-        return f"brace {brace.section} {brace.material}"
+        return f"brace {brace.of(index)} {brace.material}"
+    if isinstance(brace, AnyChosenBrace):
+        return f"brace chosen from {listed(brace.choose)} {brace.material}"
     if isinstance(brace, BraceStiffness):
         stiffness = _of_storey(brace.stiffness, index)
         assert stiffness is not None

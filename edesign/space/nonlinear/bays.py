@@ -36,12 +36,13 @@ def building_sites(building: Building) -> DamperSites:
         return Bay((low_left, low_right), (top_left, top_right), middle, width, height, DIRECTIONS.index(along))
 
     def bar(brace: BraceSection, length: float, damper: Keys) -> tuple[float, Strut | None]:
-        if brace.section not in building.sections and BuildingSections().canonical(brace.section) is None:
+        name = brace.of(0)
+        if name not in building.sections and BuildingSections().canonical(name) is None:
             keys = (*damper, "brace", "section")
-            message = no_section(brace.section, building.sections, BuildingSections())
+            message = no_section(name, building.sections, BuildingSections())
             raise InputError(f"{building.where(*keys)}: {keys_text(keys)}: {message}")
-        steel = steel_by_thickness(building, brace.section, brace.material)[1].material
-        section = section_of(building, brace.section)
-        return steel.E * section.A / length, section_strut(section, steel, length)
+        steel = steel_by_thickness(building, name, brace.material)[1].material
+        section = section_of(building, name)
+        return steel.E * section.A / length, section_strut(section, steel, length * brace.buckling_length_factor)
 
     return DamperSites(UP, bay, bar)

@@ -42,6 +42,7 @@ from edesign.study.motions.applied import check_motion
 from edesign.study.motions.motions import check_fits
 from edesign.study.motions.pairs import check_pair_fits
 from edesign.study.placement.placement import check_placement
+from edesign.study.plan.device_factors import factors_in_force
 from edesign.study.plan.plan import Task
 from edesign.study.plan.study_plan import histories_of_a_round, verification_records, wanted_designs
 from edesign.study.plan.variants import variant_warnings
@@ -210,7 +211,7 @@ def _check_designs(study: Study, names: Sequence[str]) -> None:
             if isinstance(spec, PlacementDesign):
                 check_placement(study.base, name, spec, histories_of_a_round(study, name))
             else:
-                check_sizing(study.base, name, spec, study.folder)
+                check_sizing(study.base, name, spec, study.folder, factors_in_force(study, study.hazard))
         except InputError as error:
             raise InputError(f"{study.where('designs', name)}: {error}") from error
 

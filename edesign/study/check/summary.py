@@ -41,6 +41,7 @@ from edesign.study.design.design import first_warnings
 from edesign.study.motions.motions import Motion, expected_scale
 from edesign.study.placement.placement import check_placement
 from edesign.study.plan.choosing import study_with_choices, with_choices
+from edesign.study.plan.device_factors import factors_in_force
 from edesign.study.plan.plan import Task, make_plan
 from edesign.study.plan.study_plan import histories_of_a_round, make_study_plan, wanted_designs
 
@@ -133,14 +134,14 @@ def check_study(study: Study) -> dict[str, str]:
     recorded = {name: item.record for name, item in found.items()}
     warnings = [*study_warnings(study, plan, recorded), *named_record_warnings(recorded), *unjudged(study, plan)]
     warnings += [*_scales(study.base, plan, found), *_failed_choices(study.base, found)]
-    placements = []
+    placements, factors = [], factors_in_force(study, study.hazard)
     for name in wanted_designs(study, plan):
         design = study.designs[name]
         if isinstance(design, PlacementDesign):  # whose dampers are known after histories alone
             extent = check_placement(study.base, name, design, histories_of_a_round(study, name))
             placements += [f"{name}: {extent}"] if extent else []
         else:
-            warnings += first_warnings(study.base, name, design, study.folder)
+            warnings += first_warnings(study.base, name, design, study.folder, factors)
         warnings += [f"design {name}: {text}" for text in too_few_motions(study, name)]
     return {
         "title": study.title,

@@ -10,13 +10,15 @@ import numpy as np
 
 from edesign.core import LawValues
 from edesign.errors import AnalysisError, InputError, split_code
+from edesign.frame.device_places import DevicePlace, device_places
 from edesign.frame.devices import Device, DeviceLaw
 from edesign.frame.frame_model import FrameModel
 from edesign.project.analysis_file import AnalysisFile, File
-from edesign.project.dampers.dampers import BraceStiffness, DamperRun, Dampers
+from edesign.project.dampers.dampers import Brace, DamperRun, Dampers
 from edesign.project.dampers.designs import SizedDesign
 from edesign.study.analysis.dampers import device_laws
 from edesign.study.analysis.structure import make_structure
+from edesign.study.design.braces import sites_of
 from edesign.study.design.condensed import CondensedFrame, LinearModes, condense
 
 L = TypeVar("L")
@@ -41,6 +43,7 @@ class Building:
         pull: (d,) horizontal force against the drift over the force of the damper: the cosine, with the sign that the
             deformation has as the floor above moves along the direction.
         deformation_scale: (d,) of its law over its own deformation: of braces that stretch with their length, else 1.
+        places: (d,) with the geometry of the braces.
     """
 
     project: AnalysisFile
@@ -56,6 +59,7 @@ class Building:
     cosine: np.ndarray
     pull: np.ndarray
     deformation_scale: np.ndarray
+    places: tuple[DevicePlace, ...]
 
     @property
     def designed_stiffness(self) -> np.ndarray:
@@ -119,7 +123,7 @@ def make_building(project: AnalysisFile, name: str, spec: SizedDesign) -> Buildi
         AnalysisError: the frame is unstable.
     """
     law = law_at(project, spec.law, spec.temperature)
-    trial = _run(spec, None, {})
+    trial = _run(spec, "rigid", {})
     empty = project.with_dampers(_dampers(project, trial, keep_attachments=False))
     try:
         structure = make_structure(empty, dampers=True)
@@ -157,6 +161,7 @@ def make_building(project: AnalysisFile, name: str, spec: SizedDesign) -> Buildi
         np.array([sum(max(c, 0.0) for c, _, degree in device.terms if degree == across) for device in devices]),
         np.array([_pull(structure.frame, device, across) for device in devices]),
         np.array([device.deformation_scale for device in devices]),
+        tuple(device_places(empty, trial, sites_of(empty), structure.frame.nodes, f"designs.{name}")),
     )
 
 
@@ -255,12 +260,12 @@ def with_temperature(project: File, name: str, temperature_C: float | None) -> F
     return project.model_copy(update={"dampers": dampers.model_copy(update={"laws": {**dampers.laws, name: law}})})
 
 
-def sized_dampers(building: Building, spec: SizedDesign, brace: np.ndarray | None, size: Mapping[str, Any]) -> Dampers:
+def sized_dampers(building: Building, spec: SizedDesign, brace: Brace, size: Mapping[str, Any]) -> Dampers:
     """Return the project's dampers with those of the design in place of its devices.
 
     Args:
         spec: the design; its temperature, if it has one, becomes that of its law.
-        brace: stiffness of the brace of each damper, along it, (s,) N/m; None: rigid.
+        brace: of the dampers.
         size: keys of a device that say how large it is, such as `layer_area` or `scale`.
     """
     project = with_temperature(building.project, spec.law, spec.temperature)
@@ -272,7 +277,7 @@ def per_storey(values: np.ndarray) -> tuple[float, ...]:
     return tuple(float(value) for value in values)
 
 
-def _run(spec: SizedDesign, brace: np.ndarray | None, size: Mapping[str, Any]) -> DamperRun:
+def _run(spec: SizedDesign, brace: Brace, size: Mapping[str, Any]) -> DamperRun:
     return DamperRun.model_construct(
         kind=spec.kind,
         along=spec.along,
@@ -281,7 +286,7 @@ def _run(spec: SizedDesign, brace: np.ndarray | None, size: Mapping[str, Any]) -
         storeys=spec.storeys,
         law=spec.law,
         number=spec.number,
-        brace="rigid" if brace is None else BraceStiffness.model_construct(stiffness=per_storey(brace)),
+        brace=brace,
         **size,
     )
 

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from edesign.archive.dataset import Group
+from edesign.codes.device_factors import NONE, DeviceFactors
 from edesign.errors import AnalysisError, InputError
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.dampers import Dampers
@@ -47,6 +48,7 @@ def run_design(
     resume: Group | None = None,
     progress: Callable[[str], None] = lambda text: None,
     keep: Callable[[Group], None] | None = None,
+    factors: DeviceFactors = NONE,
 ) -> DesignResult:
     """Design dampers, and change them until the histories meet the criteria, if the design asks for it.
 
@@ -58,6 +60,7 @@ def run_design(
         resume: what an earlier run kept; its rounds are not computed again.
         progress: called with what goes on.
         keep: given the group after each verified round, for `resume`.
+        factors: of the code, on stroke and velocity of the dampers, and on what holds them.
 
     Returns:
         The dampers, the archived group and the status; a design that fails for numerical reasons has no dampers.
@@ -68,7 +71,7 @@ def run_design(
     Source: thesis 5.3.4.
     """
     try:
-        run = _designer(project, name, spec, folder, progress)
+        run = _designer(project, name, spec, folder, progress, factors)
         done = run.search(respond, judge, resume, keep)
         status = "failed" if done.reason else "completed"
         group = run.group(done, status)
@@ -82,7 +85,9 @@ def run_design(
     return DesignResult(run.dampers(done.chosen.sizing), group, status, done.reason)
 
 
-def check_sizing(project: AnalysisFile, name: str, spec: SizedDesign, folder: Path) -> None:
+def check_sizing(
+    project: AnalysisFile, name: str, spec: SizedDesign, folder: Path, factors: DeviceFactors = NONE
+) -> None:
     """Size a design once, so that a target which no damper can reach shows before anything is run.
 
     A sizing that does not converge is left to `run_design`, which keeps its history.
@@ -90,12 +95,13 @@ def check_sizing(project: AnalysisFile, name: str, spec: SizedDesign, folder: Pa
     Args:
         project: the project with the law, as for `run_design`.
         folder: the folder that files named in the design are relative to.
+        factors: of the code, on dampers and on what holds them.
 
     Raises:
         InputError: no damper reaches the target, or a file or law is wrong.
     """
     try:
-        run = _designer(project, name, spec, folder, lambda text: None)
+        run = _designer(project, name, spec, folder, lambda text: None, factors)
         run.make(run.range()[0])
     except AnalysisError:
         return
@@ -103,18 +109,21 @@ def check_sizing(project: AnalysisFile, name: str, spec: SizedDesign, folder: Pa
         raise _named(name, error) from error
 
 
-def first_warnings(project: AnalysisFile, name: str, spec: SizedDesign, folder: Path) -> list[str]:
+def first_warnings(
+    project: AnalysisFile, name: str, spec: SizedDesign, folder: Path, factors: DeviceFactors = NONE
+) -> list[str]:
     """Return the warnings about a design before any history; for a verified design, those about its first round.
 
     Args:
         project: the project with the law, which has passed `check_sizing`.
         folder: the folder that files named in the design are relative to.
+        factors: of the code, on dampers and on what holds them.
 
     Returns:
         One sentence for each warning.
     """
     try:
-        run = _designer(project, name, spec, folder, lambda text: None)
+        run = _designer(project, name, spec, folder, lambda text: None, factors)
         value = run.range()[0]
         only = Round(1, value, run.make(value))
         reason = only.sizing.reason
@@ -127,13 +136,22 @@ def first_warnings(project: AnalysisFile, name: str, spec: SizedDesign, folder: 
 
 
 def _designer(
-    project: AnalysisFile, name: str, spec: SizedDesign, folder: Path, progress: Callable[[str], None]
+    project: AnalysisFile,
+    name: str,
+    spec: SizedDesign,
+    folder: Path,
+    progress: Callable[[str], None],
+    factors: DeviceFactors,
 ) -> Designer[Any]:
+    run: Designer[Any]
     if isinstance(spec, ViscousDesign):
-        return ViscousDesigner(project, name, spec, progress)
-    if isinstance(spec, HystereticDesign):
-        return HystereticDesigner(project, name, spec, progress)
-    return ElastomerDesigner(project, name, spec, folder, progress)
+        run = ViscousDesigner(project, name, spec, progress)
+    elif isinstance(spec, HystereticDesign):
+        run = HystereticDesigner(project, name, spec, progress)
+    else:
+        run = ElastomerDesigner(project, name, spec, folder, progress)
+    run.factors = factors
+    return run
 
 
 def _named(name: str, error: InputError) -> InputError:

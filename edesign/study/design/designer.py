@@ -7,16 +7,21 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import Any, ClassVar, Generic
+from typing import Any, ClassVar, Generic, cast
 
 import numpy as np
 
 from edesign.archive.dataset import Group
+from edesign.codes.device_factors import NONE
+from edesign.damper.factored import force_ratio
+from edesign.errors import InputError
+from edesign.ground_motion.hazard import rules_in_force
 from edesign.project.analysis_file import AnalysisFile
-from edesign.project.dampers.dampers import Dampers
+from edesign.project.dampers.dampers import Brace, BraceStiffness, Dampers
 from edesign.project.dampers.designs import Optimum, SizedDesign
 from edesign.study.design.bounds import Bound, analyse_bounds
-from edesign.study.design.building import Building, make_building, sized_dampers
+from edesign.study.design.braces import history_forces
+from edesign.study.design.building import Building, make_building, per_storey, sized_dampers
 from edesign.study.design.device_model import DeviceModel
 from edesign.study.design.device_text import devices_text
 from edesign.study.design.estimate import Action, FrameEstimate, make_action
@@ -26,7 +31,9 @@ from edesign.study.design.optimum import search_optimum
 from edesign.study.design.plausibility import shared_mode
 from edesign.study.design.results import (
     Results,
+    of_storeys,
     store_bounds,
+    store_braces,
     store_estimate,
     store_iterations,
     store_plan_modes,
@@ -45,6 +52,7 @@ class Designer(ABC, Generic[S]):
         words: of what the loop may change, by its name.
         results: what is archived of its dampers.
         model: of its dampers in the frame.
+        factors: of the code, on stroke and velocity of the dampers, and on what holds them.
     """
 
     words: ClassVar[Mapping[str, str]]
@@ -56,6 +64,8 @@ class Designer(ABC, Generic[S]):
         self._spec = spec
         self.building: Building = make_building(project, name, spec)
         self.action: Action | None = make_action(project, spec)
+        self.factors = NONE
+        self._share: np.ndarray | None = None
 
     @property
     @abstractmethod
@@ -102,8 +112,81 @@ class Designer(ABC, Generic[S]):
         """
 
     def make(self, value: float) -> S:
-        """Size the dampers for a value of the quantity that the loop changes."""
-        return self.sized(value, 1.0) if self.changed == "target" else self.sized(self.target, value)
+        """Size the dampers for a value of the quantity that the loop changes, and their braces for these."""
+        if self.changed == "target":
+            return self.braced(lambda: self.sized(value, 1.0))
+        return self.braced(lambda: self.sized(self.target, value))
+
+    def braced(self, size: Callable[[], S]) -> S:
+        """Return a sizing whose braces hold its dampers; as it is where the braces have no sections.
+
+        From the lightest sections on, those that do not hold the dampers become heavier, and the dampers are sized anew
+        behind them, until all hold.
+
+        Args:
+            size: makes a sizing with the present braces.
+
+        Raises:
+            InputError: no section of the lists holds the dampers.
+        """
+        model = self.model
+        if model.holding is None:
+            return size()
+        numbers = model.holding.first()
+        while True:
+            model.hold(numbers)
+            sizing = replace(size(), braces=numbers)
+            if sizing.reason or not model.holding.chosen:
+                return sizing
+            following = model.holding.following(numbers, self._factored(sizing))
+            if following == numbers:
+                return sizing
+            numbers = following
+
+    @property
+    def _overstrength(self) -> float:
+        """The factor on the force of the dampers that their braces hold: of the design, else of the code."""
+        given = getattr(getattr(self._spec, "brace", None), "overstrength", None)
+        return self.factors.overstrength if given is None else float(given)
+
+    def _factored(self, sizing: S) -> np.ndarray:
+        """Force of the dampers of each place that their braces hold, (d,) N, with all factors and upper properties."""
+        if self.action is None:
+            raise InputError("level: this key is missing; braces are held to the forces that it gives [E-KEY-02]")
+        found = [self.model.estimate(self.state(sizing), self.action)]
+        if self._spec.bounds is not None:
+            upper = analyse_bounds(self._spec.bounds, partial(self.bound, sizing, self.action))[-1]
+            found.append(upper.response)
+        shares = 1.0 if self._share is None else self._share[self.building.place_storey]
+        forces = [response.damper_force * self._ratio(sizing, response) for response in found]
+        return np.asarray(self._overstrength * shares * np.max(forces, axis=0))
+
+    def _ratio(self, sizing: S, response: FrameEstimate) -> np.ndarray:
+        """Force of the dampers at stroke and velocity times the factors of the code over that without, (d,)."""
+        law, of = self.building.law, response.dampers
+        strokes = of["stroke"] if "stroke" in of else of["strain"] * (law.layer_thickness or 0.0)
+        velocities = of.get("velocity", 2.0 * math.pi * self.frequency(sizing) * strokes)
+        on_stroke, on_velocity = self.factors.stroke, self.factors.velocity
+        both = zip(strokes * self.building.deformation_scale, velocities, strict=True)
+        return np.array([force_ratio(law.law, float(x), float(v), on_stroke, on_velocity) for x, v in both])
+
+    @abstractmethod
+    def frequency(self, sizing: S) -> float:
+        """Return the frequency of the first mode with the dampers of a sizing, Hz."""
+
+    def _agrees(self, last: Round[S]) -> bool:
+        """Whether braces that were chosen hold the forces of the histories; if not, later ones are chosen for these."""
+        model, outcome = self.model, last.outcome
+        if model.holding is None or outcome is None or not outcome.force or self.action is None:
+            return True
+        model.hold(last.sizing.braces)
+        estimated = of_storeys(self.building, model.estimate(self.state(last.sizing), self.action).damper_force)
+        self._share = np.array(outcome.force) / estimated
+        numbers = last.sizing.braces
+        try:
+            return model.holding.following(numbers, self._factored(last.sizing)) == numbers
+        except InputError:
+            return False
 
     def range(self) -> tuple[float, float]:
         """Return the first and the largest value of the quantity that the loop changes."""
@@ -114,13 +197,20 @@ class Designer(ABC, Generic[S]):
 
     def dampers(self, sizing: S) -> Dampers:
         """Return the project's dampers with those of a sizing."""
-        brace = None if self.model.brace is None else self.model.brace / self.building.attachment()
+        model, brace = self.model, cast(Brace, "rigid")
+        if model.holding is not None:
+            brace = model.holding.sections(sizing.braces)
+        elif model.brace is not None:
+            brace = BraceStiffness.model_construct(stiffness=per_storey(model.brace / self.building.attachment()))
         return sized_dampers(self.building, self._spec, brace, self.device(sizing))
 
     def _identity(self, sizing: S) -> Mapping[str, float | np.ndarray]:
         """What identifies the dampers of a sizing, by the name of the archived variable `round_NAME`."""
         columns, only = {name: of for name, _, of, _, _ in self.results.rounds}, Round(1, math.nan, sizing)
-        return {name: columns[name](self.model, only) for name in self.results.identity}
+        found = {name: columns[name](self.model, only) for name in self.results.identity}
+        if self.model.holding is not None:
+            found["brace_stiffness"] = self.model.holding.horizontal(sizing.braces)
+        return found
 
     def group(self, done: Search[S], status: str) -> Group:
         """Return the archived group of a design.
@@ -130,6 +220,7 @@ class Designer(ABC, Generic[S]):
             status: completed, failed, interrupted or checked.
         """
         spec, model, results, sizing = self._spec, self.model, self.results, done.chosen.sizing
+        model.hold(sizing.braces)
         group = Group(attributes=labels(spec) | {"status": status, "reason": done.reason})
         store_sizing(group, model, results, sizing, self.modes(sizing))
         store_plan_modes(group, model, self.state(sizing))
@@ -147,9 +238,33 @@ class Designer(ABC, Generic[S]):
         state = self.state(sizing)
         modes = model.building.frame.modes(model.storage(state))
         warnings = [*shared_mode(modes, model.losses(state, modes)), *self.further(group, done, found)]
+        if model.holding is not None and action is not None:
+            warnings += self._store_braces(group, done.chosen)
         group.attributes["warnings"] = list(dict.fromkeys(warnings))
         group.attributes["devices"] = devices_text(self.dampers(sizing))
         return group
+
+    def _store_braces(self, group: Group, chosen: Round[S]) -> list[str]:
+        """Add the check of the braces to the group; return a sentence where they do not hold the dampers."""
+        model, sizing = self.model, chosen.sizing
+        assert model.holding is not None and self.action is not None
+        if chosen.outcome is not None and chosen.outcome.force:
+            estimated = of_storeys(self.building, model.estimate(self.state(sizing), self.action).damper_force)
+            self._share = np.array(chosen.outcome.force) / estimated
+        shares = np.ones(self.building.storeys.size) if self._share is None else self._share
+        use = model.holding.use(sizing.braces, self._factored(sizing))
+        store_braces(group, model, use, self._overstrength, shares)
+        group.attributes["device_factors"] = self.factors.name
+        beyond = np.flatnonzero(use.use > 1.0)
+        if not beyond.size:
+            return []
+        most = int(np.argmax(use.use))
+        storeys = ", ".join(str(storey) for storey in self.building.storeys[beyond])
+        return [
+            f"the braces do not hold the dampers in storey {storeys}: most in storey {self.building.storeys[most]}, "
+            f"{use.section[most]} with N_Ed = {1e-3 * use.force[most]:.4g} kN of N_b,Rd = "
+            f"{1e-3 * use.resistance[most]:.4g} kN"
+        ]
 
     def store_steps(self, group: Group, done: Search[S], status: str) -> None:
         """Add to the group of a design what its method alone has on the way to a sizing, or beside it."""
@@ -166,8 +281,8 @@ class Designer(ABC, Generic[S]):
         return None
 
     def settled(self, last: Round[S]) -> bool:
-        """Return whether the properties that a round was sized with agree with its histories."""
-        return True
+        """Return whether properties and braces that a round was sized with agree with its histories."""
+        return self._agrees(last)
 
     @property
     def changed(self) -> str:
@@ -221,7 +336,11 @@ class Designer(ABC, Generic[S]):
             histories = respond(self.dampers(sizing), number)
             at_level = histories_at(self._spec.level, self._spec.verify, histories)
             drift = mean_drift(at_level, self._spec.along) if drifts else ()
-            return replace(judged(histories, judge), strain=self.strain(sizing, at_level), drift=drift)
+            strain, force = self.strain(sizing, at_level), ()
+            if self.model.holding is not None:
+                rules = rules_in_force(self.project.hazard)
+                force = history_forces(histories, self.building.storeys, self.building.names, rules)
+            return replace(judged(histories, judge), strain=strain, drift=drift, force=force)
 
         return outcome
 

@@ -10,7 +10,15 @@ from typing import Any, Generic, TypeVar
 
 import numpy as np
 
-from edesign.project.dampers.designs import BraceRatio, DriftAmplitude, RoofAmplitude, SizedDesign
+from edesign.project.dampers.dampers import BraceSection
+from edesign.project.dampers.designs import (
+    BraceRatio,
+    DesignedBrace,
+    DriftAmplitude,
+    RoofAmplitude,
+    SizedDesign,
+)
+from edesign.study.design.braces import DesignBraces, Numbers
 from edesign.study.design.building import Building, mode_shears
 from edesign.study.design.condensed import LinearModes
 from edesign.study.design.damping import strain_energy_damping
@@ -28,12 +36,14 @@ class Sizing:
             without braces (N/m), damping coefficient c (N (s/m)^alpha), or yield force F_y (N).
         iterations: how they were found.
         reason: why they are not good; empty if they are.
+        braces: sections of the braces; none where they are rigid, or have a stiffness alone.
     """
 
     target: float
     size: np.ndarray
     iterations: tuple[Any, ...] = ()
     reason: str = ""
+    braces: Numbers = ()
 
 
 D = TypeVar("D", bound=SizedDesign)
@@ -55,6 +65,7 @@ class DeviceModel(ABC, Generic[D, V]):
         power: of the cosine of a damper's slope, with which it adds to its storey.
         bare: modes without dampers.
         brace: horizontal stiffness of the braces of each storey with dampers, (s,) N/m; None: rigid.
+        holding: sections of the braces; None: they have none.
     """
 
     power: float = 2.0
@@ -63,16 +74,55 @@ class DeviceModel(ABC, Generic[D, V]):
         self.building, self.spec, self.action = building, spec, action
         self.bare = building.frame.modes()
         self.brace = None if self.brace_ratio is None else self.brace_ratio * building.designed_stiffness
+        self.holding, self._held = self._holding(), None
+        if self.holding is not None:
+            self.hold(self.holding.first())
+
+    def _holding(self) -> DesignBraces | None:
+        brace, building = getattr(self.spec, "brace", None), self.building
+        if not isinstance(brace, (BraceSection, DesignedBrace)):
+            return None
+        least = (self.brace_ratio or 0.0) * building.designed_stiffness
+        return DesignBraces(
+            building.project,
+            brace,
+            building.places,
+            building.place_storey,
+            building.cosine,
+            least,
+            building.storeys,
+        )
+
+    def hold(self, numbers: Numbers) -> None:
+        """Give the braces their sections; without sections nothing changes.
+
+        Args:
+            numbers: of the section of each storey.
+        """
+        if self.holding is not None:
+            self._held = self.holding.stiffness(numbers)
+            self.brace = self.holding.horizontal(numbers)
 
     @property
     def brace_ratio(self) -> float | None:
-        """Stiffness of the braces of a storey over that of the storey; None: rigid."""
+        """Least stiffness of the braces of a storey over that of the storey; None: rigid, or of any stiffness."""
         brace = getattr(self.spec, "brace", None)
-        return brace.ratio if isinstance(brace, BraceRatio) else None
+        return brace.ratio if isinstance(brace, (BraceRatio, DesignedBrace)) else None
+
+    @property
+    def ratios(self) -> np.ndarray:
+        """Stiffness of the braces over that of the storey, (s,); infinite: rigid."""
+        if self.brace is None:
+            return np.full(self.building.storeys.size, math.inf)
+        if self.holding is None and self.brace_ratio is not None:
+            return np.full(self.building.storeys.size, self.brace_ratio)
+        return np.asarray(self.brace / self.building.designed_stiffness)
 
     @property
     def braces(self) -> np.ndarray | None:
         """Stiffness of the braces of each place along them, (d,) N/m; None: rigid."""
+        if self._held is not None:
+            return self._held
         return None if self.brace is None else self.building.at_places(self.brace)
 
     def at_places(self, size: np.ndarray) -> np.ndarray:

@@ -37,7 +37,9 @@ def _entry(run: object) -> dict[str, object]:
 
 def _brace(brace: Brace) -> object:
     if isinstance(brace, BraceSection):
-        return {"section": brace.section, "material": brace.material}
+        section = list(brace.section) if isinstance(brace.section, tuple) else brace.section
+        factor = {} if brace.buckling_length_factor == 1.0 else {"buckling_length_factor": brace.buckling_length_factor}
+        return {"section": section, "material": brace.material, **factor}
     if not isinstance(brace, BraceStiffness):
         return brace
     found = {"stiffness": _with_unit(brace.stiffness, "N/m")}

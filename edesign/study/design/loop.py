@@ -67,12 +67,14 @@ class RoundOutcome:
         failed: names of histories that were not completed.
         strain: effective strain of the layers of the dampers, mean of the histories; nan: there are none.
         drift: storey drifts over height, mean of the histories, (f,); none: nothing is changed by them.
+        force: of all dampers of a place in each storey with dampers, (s,) N; none: their braces have no sections.
     """
 
     verdicts: tuple[RoundVerdict, ...]
     failed: tuple[str, ...] = ()
     strain: float = math.nan
     drift: tuple[float, ...] = ()
+    force: tuple[float, ...] = ()
 
     @property
     def met(self) -> bool:
@@ -159,7 +161,7 @@ def search(
             if not rounds:
                 raise
             if first == len(rounds):
-                return Search(tuple(rounds), rounds[-1], f"with the strain of the histories {error}")
+                return Search(tuple(rounds), rounds[-1], f"with what the histories say of strain and forces: {error}")
             # what can be reached may shrink as dampers grow, because their properties follow the frequency
             reached, largest = rounds[-1].changed, min(largest, value)
             if value - reached <= precision * reached:

@@ -11,6 +11,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.study.design.bounds import Bound, governing
+from edesign.study.design.braces import BraceUse
 from edesign.study.design.building import Building
 from edesign.study.design.condensed import TOLD, alike
 from edesign.study.design.device_model import DeviceModel
@@ -205,6 +206,40 @@ def store_rounds(group: Group, model: Model, results: Results, rounds: Sequence[
         label = "storey drift over height, mean of the histories of the round; nan: none was completed"
         group.add("round_history_drift", ("round", "frame_storey"), rows, "1", label)
     store_rows(group, model, "round", results.rounds, rounds)
+    if model.holding is None:
+        return
+    rows = [model.holding.horizontal(r.sizing.braces) for r in rounds]
+    group.add("round_brace_stiffness", ("round", *STOREY), rows, "N/m", "horizontal stiffness of the braces")
+    forces = [() if r.outcome is None else r.outcome.force for r in rounds]
+    if any(forces):
+        rows = [np.array(force or (math.nan,) * model.building.storeys.size) for force in forces]
+        label = "force of the dampers of a place, in the histories of the round at the level that has most"
+        group.add("round_history_force", ("round", *STOREY), rows, "N", label)
+
+
+def store_braces(group: Group, model: Model, use: BraceUse, factor: float, share: np.ndarray) -> None:
+    """Add the sections of the braces, and how far the dampers use them.
+
+    Args:
+        use: of the braces under the forces of the dampers with all factors.
+        factor: overstrength in these forces.
+        share: of the forces of histories over the estimated ones in each storey, (s,); 1 without histories.
+    """
+    assert model.holding is not None
+    group.add("brace_section", STOREY, list(use.section), "", "section of the braces")
+    for name, values, unit, label in (
+        ("length", use.length, "m", "length of a brace between its nodes"),
+        ("slenderness", use.slenderness, "1", "non-dimensional slenderness of a brace"),
+        ("force", use.force, "N", "N_Ed of a brace: of the dampers with all factors"),
+        ("resistance", use.resistance, "N", "N_b,Rd of a brace by EN 1993-1-1, 6.3.1"),
+        ("mass", use.mass, "kg", "mass of all braces of the storey, between nodes"),
+        ("history_share", share, "1", "force of the dampers in histories over the estimated one"),
+    ):
+        group.add(f"brace_{name}", STOREY, values, unit, label)
+    group.add("brace_share", STOREY, use.share, "1", "axial force of a brace over that of the dampers of a place")
+    brace = model.holding.brace
+    group.attributes |= {"brace_chosen": int(model.holding.chosen), "brace_overstrength": factor}
+    group.attributes |= {"brace_material": brace.material, "brace_length_factor": brace.buckling_length_factor}
 
 
 def store_estimate(group: Group, model: Model, results: Results, found: FrameEstimate, bare: FrameEstimate) -> None:

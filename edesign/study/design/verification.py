@@ -117,11 +117,13 @@ def kept_outcome(
     outcome = stored_outcomes(resume, rounds)[i]
     if not outcome.verdicts:
         return None
-    strain, drift = (resume.variables.get(f"round_history_{name}") for name in ("strain", "drift"))
+    strain, drift, force = (resume.variables.get(f"round_history_{name}") for name in ("strain", "drift", "force"))
     if strain is not None:
         outcome = replace(outcome, strain=float(strain.values[i]))
     if drift is not None:
         outcome = replace(outcome, drift=tuple(drift.values[i].tolist()))
+    if force is not None:
+        outcome = replace(outcome, force=tuple(force.values[i].tolist()))
     return outcome
 
 

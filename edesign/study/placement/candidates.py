@@ -13,7 +13,7 @@ import numpy as np
 from edesign.errors import InputError
 from edesign.frame.devices import Device
 from edesign.project.analysis_file import AnalysisFile
-from edesign.project.dampers.dampers import BraceSection, BraceStiffness, DamperRun, Dampers
+from edesign.project.dampers.dampers import DamperRun, Dampers
 from edesign.project.dampers.placement import CatalogueItem, Kind, PlacementDesign
 from edesign.project.notation.frames import parse_frames
 from edesign.project.notation.grid import BayPlace
@@ -259,4 +259,4 @@ def _not_larger(
 
 def _brace(item: CatalogueItem, device: Device) -> float:
     """Stiffness of the brace of an item at a place, N/m; infinite where it is rigid."""
-    return device.brace if isinstance(item.brace, (BraceStiffness, BraceSection)) else math.inf
+    return math.inf if item.brace == "rigid" else device.brace

@@ -20,6 +20,7 @@ from edesign.study.check.criteria_inputs import kept_for_verification, too_few_m
 from edesign.study.design.design import DesignResult, run_design
 from edesign.study.design.verification import along_design
 from edesign.study.placement.placement import run_placement
+from edesign.study.plan.device_factors import factors_in_force
 from edesign.study.plan.plan import Task, labels
 from edesign.study.plan.study_plan import histories_of_a_round, verifying_histories, wanted_designs
 from edesign.study.plan.variants import variant_project
@@ -129,6 +130,7 @@ def _design(study: Study, name: str, order: int, run: RunState) -> DesignResult:
                     resume,
                     lambda message: run.note(f"design {name}: {message}"),
                     keep,
+                    factors_in_force(study, study.hazard),
                 )
     except _Lost as lost:
         raise lost.error from lost

@@ -14,7 +14,7 @@ from edesign.archive.dataset import Group
 from edesign.damper.sizing import largest_damping
 from edesign.errors import InputError
 from edesign.project.analysis_file import AnalysisFile
-from edesign.project.dampers.designs import BraceRatio, ElastomerDesign, SimplifiedDesign, StrainEnergyDesign
+from edesign.project.dampers.designs import ElastomerDesign, SimplifiedDesign, StrainEnergyDesign
 from edesign.study.design.bounds import Bound
 from edesign.study.design.building import law_at, per_storey
 from edesign.study.design.damping import ModalDamping
@@ -76,7 +76,7 @@ class ElastomerDesigner(Designer[ElastomerSizing]):
         spec = self.spec
         if isinstance(spec, SimplifiedDesign):
             return spec.beta[1]
-        ratio = spec.brace.ratio if spec.braces_in_target and isinstance(spec.brace, BraceRatio) else math.inf
+        ratio = float(self.model.ratios.min()) if spec.braces_in_target else math.inf
         strain = spec.strain if isinstance(spec.strain, float) else self.make(target).strain
         moduli = self.model.material(strain)(self.model.bare.first_frequency)
         return max(REACHABLE * largest_damping(moduli.loss_factor, ratio), target)
@@ -99,7 +99,11 @@ class ElastomerDesigner(Designer[ElastomerSizing]):
         first, unit = self.make(1.0), building.designed_stiffness
         inherent = 2.0 * self.action.inherent_damping / first.moduli.loss_factor
         sizes = storey_sizes(building, first.size, unit, area_weight(building), inherent, MOST)
-        return first, sizes, lambda x: size_by_strain_energy(self.model, spec, math.nan, given=x * unit)
+        return (
+            first,
+            sizes,
+            lambda x: self.braced(lambda: size_by_strain_energy(self.model, spec, math.nan, given=x * unit)),
+        )
 
     def device(self, sizing: ElastomerSizing) -> dict[str, Any]:
         """Return the keys of a device of the project file that say how large the dampers of a sizing are."""
@@ -119,6 +123,10 @@ class ElastomerDesigner(Designer[ElastomerSizing]):
     def modes(self, sizing: ElastomerSizing) -> list[ModalDamping]:
         """Return the modes with dampers alone, and with dampers and braces."""
         return [self.model.modal_damping(sizing, braces) for braces in (False, True)]
+
+    def frequency(self, sizing: ElastomerSizing) -> float:
+        """Return the frequency of the first mode with the dampers of a sizing, Hz."""
+        return sizing.frequency
 
     def state(self, sizing: ElastomerSizing) -> Layers:
         """Return the layers of a sizing with the properties that it counts on."""
@@ -154,6 +162,8 @@ class ElastomerDesigner(Designer[ElastomerSizing]):
 
     def settled(self, last: Round[ElastomerSizing]) -> bool:
         """Return whether the strain agrees with the histories, and adapt the estimated share if it does not."""
+        if not super().settled(last):
+            return False
         verify, outcome = self.spec.verify, last.outcome
         if self.spec.strain != "histories" or verify is None or outcome is None:
             return True

@@ -9,7 +9,7 @@ import scipy
 
 from edesign.damper.sizing import stiffness_ratio
 from edesign.errors import AnalysisError, InputError
-from edesign.project.dampers.designs import BraceRatio, StrainEnergyDesign
+from edesign.project.dampers.designs import StrainEnergyDesign
 from edesign.study.design.building import Building
 from edesign.study.design.elastomer.material import Moduli
 from edesign.study.design.elastomer.model import ElastomerModel, Layers
@@ -45,8 +45,9 @@ def distribute(
         nearest = spec.verify is not None and spec.verify.change == "area"
         return least_area(model, moduli, spec.drift, thickness, before, nearest)
     if spec.distribution == "storey_stiffness" and spec.target_in != "first_mode":
-        ratio = spec.brace.ratio if spec.braces_in_target and isinstance(spec.brace, BraceRatio) else math.inf
-        return stiffness_ratio(target, moduli.loss_factor, ratio) * model.building.designed_stiffness
+        ratios = model.ratios if spec.braces_in_target else np.full(model.building.storeys.size, math.inf)
+        found = [stiffness_ratio(target, moduli.loss_factor, ratio) for ratio in ratios.tolist()]
+        return np.array(found) * model.building.designed_stiffness
     pattern = pattern_of(model.building, spec.distribution)
     return _scale(model, pattern, moduli.loss_factor, target, spec.braces_in_target) * pattern
 

@@ -87,6 +87,10 @@ class HystereticDesigner(Designer[HystereticSizing]):
         """Return the modes with dampers that do not yield, and with their secants."""
         return self.model.elastic_modes(sizing.size), sizing.vibration.modes
 
+    def frequency(self, sizing: HystereticSizing) -> float:
+        """Return the frequency of the first mode with the dampers of a sizing, Hz."""
+        return 1.0 / sizing.vibration.period
+
     def state(self, sizing: HystereticSizing) -> SecantVibration:
         """Return the vibration with the secants of a sizing."""
         return sizing.vibration

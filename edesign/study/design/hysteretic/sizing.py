@@ -8,7 +8,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.errors import AnalysisError, InputError
-from edesign.project.dampers.designs import BraceRatio
 from edesign.study.design.device_model import Sizing
 from edesign.study.design.hysteretic.model import HystereticModel, SecantVibration
 from edesign.study.design.hysteretic.vibration import bare_damping, secant_vibration
@@ -107,8 +106,8 @@ def _unreachable(model: HystereticModel, target: float, share: float, found: flo
             " [E-DESIGN-04]"
         )
     cause = "they stiffen the frame more and more"
-    if isinstance(spec.brace, BraceRatio):
-        cause = f"their braces are {spec.brace.ratio:g} times as stiff as the storeys"
+    if model.brace is not None:
+        cause = f"their braces are {float(model.ratios.min()):.4g} times as stiff as the storeys"
     where = "" if share >= LARGEST_SHARE else f", with {100.0 * share:.4g} % of the storey shears"
     return (
         f"{wanted}: with `distribution: {spec.distribution}` the first mode has {100.0 * found:.4g} % at "

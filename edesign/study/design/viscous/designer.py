@@ -83,7 +83,7 @@ class ViscousDesigner(Designer[ViscousSizing]):
         unit, weight = coefficient_unit(model, model.weight(start), start.omega)
         inherent = 2.0 * self.action.inherent_damping  # omega c / k_S of the damping ratio of a storey by itself
         sizes = storey_sizes(self.building, first.size, unit, weight, inherent, MOST)
-        return first, sizes, lambda x: sized_viscous(model, x * unit, start)
+        return first, sizes, lambda x: self.braced(lambda: sized_viscous(model, x * unit, start))
 
     def device(self, sizing: ViscousSizing) -> dict[str, Any]:
         """Return the keys of a device of the project file that say how large the dampers of a sizing are."""
@@ -95,6 +95,10 @@ class ViscousDesigner(Designer[ViscousSizing]):
     def modes(self, sizing: ViscousSizing) -> DashpotModes:
         """Return the complex modes with linear dashpots."""
         return sizing.vibration.modes
+
+    def frequency(self, sizing: ViscousSizing) -> float:
+        """Return the frequency of the first mode with the dampers of a sizing, Hz."""
+        return sizing.vibration.omega / (2.0 * math.pi)
 
     def state(self, sizing: ViscousSizing) -> Vibration:
         """Return the vibration with the linear dashpots of a sizing."""

@@ -10,7 +10,6 @@ from functools import partial
 import numpy as np
 
 from edesign.errors import InputError
-from edesign.project.dampers.designs import BraceRatio
 from edesign.study.design.device_model import Sizing
 from edesign.study.design.least_total import Problem, least_total
 from edesign.study.design.pattern import pattern_of
@@ -196,10 +195,10 @@ def _scale_of(model: ViscousModel, pattern: np.ndarray, weight: np.ndarray, damp
 
 def _unreachable(model: ViscousModel, target: float, found: float, followed: bool) -> str:
     """What is wrong with a target; `followed`: the amplitude is that of an iteration, not that of the bare mode."""
-    brace, at = model.spec.brace, " at the amplitude that so strong dampers have" if followed else ""
+    at = " at the amplitude that so strong dampers have" if followed else ""
     cause = "the frame gives way where they stand"
-    if isinstance(brace, BraceRatio):
-        cause = f"their braces are {brace.ratio:g} times as stiff as the storeys"
+    if model.brace is not None:
+        cause = f"their braces are {float(model.ratios.min()):.4g} times as stiff as the storeys"
     elif math.isfinite(model.dashpot.spring):
         cause = f"the law {model.building.law.law.law} has a spring in series that grows with them"
     return (

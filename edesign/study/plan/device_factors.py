@@ -1,0 +1,46 @@
+"""The factors on devices that a study asks for, or that go with the code of its hazard."""
+
+from __future__ import annotations
+
+from edesign.codes.device_factors import DeviceFactors, device_factors, factors_of_code
+from edesign.project.actions.hazard import UserHazard
+from edesign.project.actions.hazard_base import Hazard
+from edesign.project.dampers.dampers import GivenFactors
+from edesign.project.study.study import Study
+
+
+def factors_in_force(study: Study | None, hazard: Hazard | None) -> DeviceFactors:
+    """Return the factors on devices.
+
+    Args:
+        study: the study; None: of a project, which has those of its code.
+        hazard: block of the project; None: it has none.
+    """
+    asked = None if study is None else study.device_factors
+    if isinstance(asked, GivenFactors):
+        return DeviceFactors("", **asked.model_dump())
+    if asked is not None:
+        return device_factors(asked)
+    if hazard is None:
+        return factors_of_code("")
+    return factors_of_code(hazard.criteria if isinstance(hazard, UserHazard) else hazard.code)
+
+
+def factors_note(factors: DeviceFactors, asked: bool) -> str:
+    """Return what factors there are, and where they come from, in a sentence; "" for none.
+
+    Args:
+        asked: whether the study names them; otherwise they go with the code of the hazard.
+    """
+    named = {
+        "stroke": factors.stroke,
+        "velocity": factors.velocity,
+        "overstrength of what holds the dampers": factors.overstrength,
+        "stroke of isolators": factors.isolator_stroke,
+    }
+    given = ", ".join(f"{what} {value:g}" for what, value in named.items() if value != 1.0)
+    if not given:
+        return ""
+    source = f" by {factors.clause}" if factors.clause else ""
+    whose = "" if asked else "; they go with the code of the hazard, and `device_factors` changes them"
+    return f"Factors{source}: {given}{whose}."
