@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,6 +10,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.assess.envelopes import peak
 from edesign.assess.sets import HistorySet
+from edesign.codes.motion_sets import SetRules
 
 
 @dataclass(frozen=True)
@@ -78,6 +79,27 @@ def device_demand(design: Group, found: HistorySet, property_factor: float = 1.0
     return DeviceDemand(found.variant, found.level, *counts, both)
 
 
+def place_forces(
+    found: HistorySet, storeys: np.ndarray, names: Collection[str] | None, rules: SetRules
+) -> np.ndarray | None:
+    """Return the force of all dampers of a place in each storey, (s,) N; None: no history was completed.
+
+    Of the motions the mean counts where there are enough of them, else the largest.
+
+    Args:
+        found: histories of a variant at a level.
+        storeys: with dampers, from 1.
+        names: of the dampers that count; None: all.
+        rules: of the code in force, from how many motions on the mean counts.
+    """
+    completed = list(found.completed.values())
+    if not completed:
+        return None
+    values = np.array([_largest(group, "damper_force", storeys, _mine(names, group)) for group in completed])
+    worst = worst_of_each(found, values)
+    return np.asarray(worst.mean(axis=0) if len(worst) >= rules.number_for_mean else worst.max(axis=0))
+
+
 def worst_of_each(found: HistorySet, values: np.ndarray) -> np.ndarray:
     """Return the largest values of each motion over its completed histories, (motions, ...).
 
@@ -90,9 +112,18 @@ def worst_of_each(found: HistorySet, values: np.ndarray) -> np.ndarray:
 
 def _own(design: Group, history: Group) -> np.ndarray:
     """Which of the dampers of a variant, that may have several designs, are of one of them, (d,)."""
+    return _mine(names_of_dampers(design), history)
+
+
+def names_of_dampers(design: Group) -> list[str] | None:
+    """Return the names of the dampers of a design; None where the archive does not say them."""
     names = design.attributes.get("device_names")
+    return names if isinstance(names, list) else None
+
+
+def _mine(names: Collection[str] | None, history: Group) -> np.ndarray:
     dampers = np.asarray(history.coords["damper"].values).astype(str)
-    return np.isin(dampers, names) if isinstance(names, list) else np.ones(dampers.size, dtype=bool)
+    return np.ones(dampers.size, dtype=bool) if names is None else np.isin(dampers, list(names))
 
 
 def _largest(group: Group, name: str, storeys: np.ndarray, own: np.ndarray) -> np.ndarray:

@@ -211,6 +211,8 @@ def _braces(keys: Keys, spec: SizedDesign, project: AnalysisFile, problems: Prob
         message = "this key is missing; the forces that braces hold are those of a hazard level [E-KEY-02]"
         problems.under(keys[:-1], "level", message)
     if isinstance(brace, DesignedBrace):
+        if brace.level is not None and brace.level not in project.hazard_levels:
+            problems.at_value((*keys, "level"), unknown_name("level", brace.level, project.hazard_levels))
         if isinstance(spec, SimplifiedDesign) and brace.ratio is not None:
             problems.at_key((*keys, "ratio"), "`alpha` says how stiff they are at least; keep one of them [E-KEY-03]")
         return

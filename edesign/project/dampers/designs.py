@@ -98,9 +98,11 @@ class DesignedBrace(AnyChosenBrace):
 
     Attributes:
         ratio: least stiffness of the braces of a storey together over that of the storey.
+        level: hazard level whose forces they hold; without the key that of the design.
     """
 
     ratio: LeastBrace | None = None
+    level: str | None = None
 
 
 Brace = Annotated[

@@ -13,6 +13,7 @@ from edesign.assess.requirement import UNITS
 from edesign.assess.sets import HistorySet
 from edesign.ground_motion.hazard import rules_in_force
 from edesign.project.actions.hazard_base import Hazard
+from edesign.report.design.braces_table import braces_table
 from edesign.report.design.device_order import devices_table
 from edesign.report.design.hysteretic_tables import hysteretic_damping_table, hysteretic_storeys_table
 from edesign.report.design.placement_tables import placement_tables
@@ -167,6 +168,7 @@ def design_tables(
         sized = [hysteretic_storeys_table(group), order, hysteretic_damping_table(group)]
     else:
         sized = [storeys_table(group), damping_table(group)]
+    sized.insert(1, braces_table(group, sets, factors, rules))
     tables = [*sized, plan_modes_table(group), _warnings(group), rounds_table(group), bounds_table(group)]
     return [table for table in tables if table.rows or table.notes]
 

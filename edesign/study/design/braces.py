@@ -8,8 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.assess.devices import worst_of_each
-from edesign.assess.envelopes import peak
+from edesign.assess.devices import place_forces
 from edesign.assess.sets import HistorySet
 from edesign.codes.ec3.section import DENSITY
 from edesign.codes.motion_sets import SetRules
@@ -205,33 +204,19 @@ class DesignBraces:
 
 
 def history_forces(
-    histories: Mapping[str, Group], storeys: np.ndarray, own: tuple[str, ...], rules: SetRules
+    histories: Mapping[str, Group], level: str, storeys: np.ndarray, own: tuple[str, ...], rules: SetRules
 ) -> tuple[float, ...]:
     """Return the force of all dampers of a place that histories give in each storey, (s,) N; () without any.
 
-    Of the levels the one with the largest force counts, and at each the mean over the motions or their largest.
+    Of the motions the mean counts where there are enough of them, else the largest.
 
     Args:
         histories: results of the histories of a round, by name.
+        level: hazard level that counts.
         storeys: with dampers, from 1.
         own: names of the dampers of the design.
         rules: of the code in force, from how many motions on the mean counts.
     """
-    levels: dict[str, dict[str, Group]] = {}
-    for name, group in histories.items():
-        levels.setdefault(str(group.attributes.get("level") or ""), {})[name] = group
-    found = []
-    for level, groups in levels.items():
-        one = HistorySet("", level, groups)
-        if not one.completed:
-            continue
-        worst = worst_of_each(one, np.array([_of_storeys(group, storeys, own) for group in one.completed.values()]))
-        found.append(worst.mean(axis=0) if len(worst) >= rules.number_for_mean else worst.max(axis=0))
-    return tuple(np.max(found, axis=0).tolist()) if found else ()
-
-
-def _of_storeys(group: Group, storeys: np.ndarray, own: tuple[str, ...]) -> np.ndarray:
-    force, of = peak(group, "damper_force"), np.asarray(group.variables["damper_storey"].values)
-    assert force is not None, "histories of dampers have their extremes"
-    mine = np.isin(np.asarray(group.coords["damper"].values).astype(str), own)
-    return np.array([force[mine & (of == storey)].max() for storey in storeys])
+    at = {name: group for name, group in histories.items() if str(group.attributes.get("level") or "") == level}
+    found = place_forces(HistorySet("", level, at), storeys, own, rules)
+    return () if found is None else tuple(found.tolist())

@@ -6,7 +6,7 @@ import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from functools import partial
+from functools import cached_property, partial
 from typing import Any, ClassVar, Generic, cast
 
 import numpy as np
@@ -24,7 +24,7 @@ from edesign.study.design.braces import history_forces
 from edesign.study.design.building import Building, make_building, per_storey, sized_dampers
 from edesign.study.design.device_model import DeviceModel
 from edesign.study.design.device_text import devices_text
-from edesign.study.design.estimate import Action, FrameEstimate, make_action
+from edesign.study.design.estimate import Action, FrameEstimate, action_of, make_action
 from edesign.study.design.fully_stressed import StoreySizes, search_fully_stressed
 from edesign.study.design.loop import LARGEST_FACTOR, Round, RoundOutcome, S, Search, search
 from edesign.study.design.optimum import search_optimum
@@ -149,17 +149,46 @@ class Designer(ABC, Generic[S]):
         given = getattr(getattr(self._spec, "brace", None), "overstrength", None)
         return self.factors.overstrength if given is None else float(given)
 
+    @cached_property
+    def _brace_action(self) -> Action:
+        """The spectrum whose forces the braces hold: of their own level, else that of the design."""
+        level = getattr(getattr(self._spec, "brace", None), "level", None)
+        inherent = self._spec.inherent_damping
+        action = self.action if level is None else action_of(self.project, level, inherent)
+        if action is None:
+            raise InputError("level: this key is missing; braces are held to the forces that it gives [E-KEY-02]")
+        return action
+
+    @property
+    def _brace_level(self) -> str:
+        return str(getattr(getattr(self._spec, "brace", None), "level", None) or self._spec.level or "")
+
     def _factored(self, sizing: S) -> np.ndarray:
         """Force of the dampers of each place that their braces hold, (d,) N, with all factors and upper properties."""
-        if self.action is None:
-            raise InputError("level: this key is missing; braces are held to the forces that it gives [E-KEY-02]")
-        found = [self.model.estimate(self.state(sizing), self.action)]
+        found = [self._estimate(sizing)]
         if self._spec.bounds is not None:
-            upper = analyse_bounds(self._spec.bounds, partial(self.bound, sizing, self.action))[-1]
-            found.append(upper.response)
+            found.append(
+                analyse_bounds(self._spec.bounds, partial(self.bound, sizing, self._brace_action))[-1].response
+            )
         shares = 1.0 if self._share is None else self._share[self.building.place_storey]
         forces = [response.damper_force * self._ratio(sizing, response) for response in found]
         return np.asarray(self._overstrength * shares * np.max(forces, axis=0))
+
+    def _estimate(self, sizing: S, action: Action | None = None) -> FrameEstimate:
+        """The response at the level of the braces, or under another action, with the amplitude that belongs to it."""
+        action = action or self._brace_action
+        if action is self.action:
+            return self.model.estimate(self.state(sizing), action)
+        return self.bound(sizing, action, "nominal", 1.0, None).response
+
+    def _compare(self, chosen: Round[S]) -> None:
+        """Learn what the forces of histories are of the estimated ones, at the level of the braces or of the design."""
+        outcome = chosen.outcome
+        if outcome is None or not outcome.force:
+            return
+        action = self._brace_action if outcome.force_level == self._brace_level else self.action
+        estimated = of_storeys(self.building, self._estimate(chosen.sizing, action).damper_force)
+        self._share = np.array(outcome.force) / estimated
 
     def _ratio(self, sizing: S, response: FrameEstimate) -> np.ndarray:
         """Force of the dampers at stroke and velocity times the factors of the code over that without, (d,)."""
@@ -176,12 +205,11 @@ class Designer(ABC, Generic[S]):
 
     def _agrees(self, last: Round[S]) -> bool:
         """Whether braces that were chosen hold the forces of the histories; if not, later ones are chosen for these."""
-        model, outcome = self.model, last.outcome
-        if model.holding is None or outcome is None or not outcome.force or self.action is None:
+        model = self.model
+        if model.holding is None or last.outcome is None or not last.outcome.force:
             return True
         model.hold(last.sizing.braces)
-        estimated = of_storeys(self.building, model.estimate(self.state(last.sizing), self.action).damper_force)
-        self._share = np.array(outcome.force) / estimated
+        self._compare(last)
         numbers = last.sizing.braces
         try:
             return model.holding.following(numbers, self._factored(last.sizing)) == numbers
@@ -247,14 +275,14 @@ class Designer(ABC, Generic[S]):
     def _store_braces(self, group: Group, chosen: Round[S]) -> list[str]:
         """Add the check of the braces to the group; return a sentence where they do not hold the dampers."""
         model, sizing = self.model, chosen.sizing
-        assert model.holding is not None and self.action is not None
-        if chosen.outcome is not None and chosen.outcome.force:
-            estimated = of_storeys(self.building, model.estimate(self.state(sizing), self.action).damper_force)
-            self._share = np.array(chosen.outcome.force) / estimated
+        assert model.holding is not None
+        self._compare(chosen)
         shares = np.ones(self.building.storeys.size) if self._share is None else self._share
         use = model.holding.use(sizing.braces, self._factored(sizing))
-        store_braces(group, model, use, self._overstrength, shares)
-        group.attributes["device_factors"] = self.factors.name
+        estimated = self._estimate(sizing)
+        factor = of_storeys(self.building, self._overstrength * self._ratio(sizing, estimated))
+        store_braces(group, model, use, factor, shares)
+        group.attributes |= {"brace_level": self._brace_level, "brace_overstrength": self._overstrength}
         beyond = np.flatnonzero(use.use > 1.0)
         if not beyond.size:
             return []
@@ -336,11 +364,14 @@ class Designer(ABC, Generic[S]):
             histories = respond(self.dampers(sizing), number)
             at_level = histories_at(self._spec.level, self._spec.verify, histories)
             drift = mean_drift(at_level, self._spec.along) if drifts else ()
-            strain, force = self.strain(sizing, at_level), ()
-            if self.model.holding is not None:
-                rules = rules_in_force(self.project.hazard)
-                force = history_forces(histories, self.building.storeys, self.building.names, rules)
-            return replace(judged(histories, judge), strain=strain, drift=drift, force=force)
+            found = replace(judged(histories, judge), strain=self.strain(sizing, at_level), drift=drift)
+            if self.model.holding is None:
+                return found
+            levels = {str(group.attributes.get("level") or ""): None for group in histories.values()}
+            level = next((one for one in (self._brace_level, self._spec.level or "") if one in levels), "")
+            rules = rules_in_force(self.project.hazard)
+            force = history_forces(histories, level, self.building.storeys, self.building.names, rules)
+            return replace(found, force=force, force_level=level)
 
         return outcome
 

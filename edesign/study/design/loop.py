@@ -68,6 +68,7 @@ class RoundOutcome:
         strain: effective strain of the layers of the dampers, mean of the histories; nan: there are none.
         drift: storey drifts over height, mean of the histories, (f,); none: nothing is changed by them.
         force: of all dampers of a place in each storey with dampers, (s,) N; none: their braces have no sections.
+        force_level: hazard level of these forces.
     """
 
     verdicts: tuple[RoundVerdict, ...]
@@ -75,6 +76,7 @@ class RoundOutcome:
     strain: float = math.nan
     drift: tuple[float, ...] = ()
     force: tuple[float, ...] = ()
+    force_level: str = ""
 
     @property
     def met(self) -> bool:

@@ -213,16 +213,17 @@ def store_rounds(group: Group, model: Model, results: Results, rounds: Sequence[
     forces = [() if r.outcome is None else r.outcome.force for r in rounds]
     if any(forces):
         rows = [np.array(force or (math.nan,) * model.building.storeys.size) for force in forces]
-        label = "force of the dampers of a place, in the histories of the round at the level that has most"
+        group.attributes["history_force_level"] = next(r.outcome.force_level for r in rounds if r.outcome is not None)
+        label = "force of the dampers of a place, mean of the histories of the round, or their largest"
         group.add("round_history_force", ("round", *STOREY), rows, "N", label)
 
 
-def store_braces(group: Group, model: Model, use: BraceUse, factor: float, share: np.ndarray) -> None:
+def store_braces(group: Group, model: Model, use: BraceUse, factor: np.ndarray, share: np.ndarray) -> None:
     """Add the sections of the braces, and how far the dampers use them.
 
     Args:
         use: of the braces under the forces of the dampers with all factors.
-        factor: overstrength in these forces.
+        factor: on the forces of histories, by stroke, velocity and overstrength, (s,).
         share: of the forces of histories over the estimated ones in each storey, (s,); 1 without histories.
     """
     assert model.holding is not None
@@ -233,12 +234,13 @@ def store_braces(group: Group, model: Model, use: BraceUse, factor: float, share
         ("force", use.force, "N", "N_Ed of a brace: of the dampers with all factors"),
         ("resistance", use.resistance, "N", "N_b,Rd of a brace by EN 1993-1-1, 6.3.1"),
         ("mass", use.mass, "kg", "mass of all braces of the storey, between nodes"),
+        ("force_factor", factor, "1", "factor on the force of the dampers: stroke, velocity and overstrength"),
         ("history_share", share, "1", "force of the dampers in histories over the estimated one"),
     ):
         group.add(f"brace_{name}", STOREY, values, unit, label)
     group.add("brace_share", STOREY, use.share, "1", "axial force of a brace over that of the dampers of a place")
     brace = model.holding.brace
-    group.attributes |= {"brace_chosen": int(model.holding.chosen), "brace_overstrength": factor}
+    group.attributes["brace_chosen"] = int(model.holding.chosen)
     group.attributes |= {"brace_material": brace.material, "brace_length_factor": brace.buckling_length_factor}
 
 

@@ -123,7 +123,8 @@ def kept_outcome(
     if drift is not None:
         outcome = replace(outcome, drift=tuple(drift.values[i].tolist()))
     if force is not None:
-        outcome = replace(outcome, force=tuple(force.values[i].tolist()))
+        level = str(resume.attributes.get("history_force_level", ""))
+        outcome = replace(outcome, force=tuple(force.values[i].tolist()), force_level=level)
     return outcome
 
 
