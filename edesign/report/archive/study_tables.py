@@ -12,7 +12,7 @@ from edesign.assess.members import VariantMembers
 from edesign.assess.sets import history_sets
 from edesign.assess.verdicts import judge
 from edesign.report.archive.project_tables import member_tables
-from edesign.report.archive_view import all_results, ending, statistics
+from edesign.report.archive_view import all_results, ending, results, statistics
 from edesign.report.archived import archived_study
 from edesign.report.assessment.change_tables import changes_table
 from edesign.report.assessment.derived_results import not_swept
@@ -24,6 +24,8 @@ from edesign.report.capacity.incremental_tables import incremental_tables
 from edesign.report.capacity.pushover_tables import target_tables
 from edesign.report.design.designs_tables import designs_tables
 from edesign.report.design.isolation_tables import isolation_estimate_table, isolation_statistics_table
+from edesign.report.inputs.connections import connection_tables
+from edesign.report.inputs.variant_frames import VariantFrames
 from edesign.report.response.ground_tables import ground_tables
 from edesign.report.tables.column import Column, col, count, text
 from edesign.report.tables.table import Table, TableSpec
@@ -105,6 +107,8 @@ def study_tables(archive: Archive) -> list[Table]:
         changes_table(not_swept(study, sets)),
         isolation_statistics_table(sets),
     ]
+    frames = VariantFrames(archive, study.base, study)
+    tables += connection_tables(frames, study, sets, lambda name: results(archive, name), governing=True)
     tables += derived_tables(study, sets)
     tables += target_tables(study.base, groups, study)
     judged = read_judged(archive, groups)

@@ -41,7 +41,7 @@ class _Braces(NamedTuple):
 
 BRACES = TableSpec[_Braces](
     "braces_of_dampers",
-    "Braces of the dampers{chosen}",
+    "Braces of design {design}{chosen}",
     (
         text("", "whose"),
         count("storey", lambda one: int(one.storey.name)),
@@ -85,7 +85,9 @@ def braces_table(group: Group, sets: Sequence[HistorySet], variants: Mapping[str
     beyond = [f"{one.whose}, storey {one.storey.name}" for one in rows if one.use > 1.0]
     if beyond:
         notes += wrapped(f"Not held: {'; '.join(beyond)}.")
-    return BRACES.of(rows, notes=notes, chosen=", chosen from lists" if about["brace_chosen"] else "")
+    return BRACES.of(
+        rows, notes=notes, design=about.get("name", ""), chosen=", chosen from lists" if about["brace_chosen"] else ""
+    )
 
 
 def _rows(

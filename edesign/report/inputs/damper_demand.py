@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
@@ -10,7 +11,9 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.assess.envelopes import peak
 from edesign.assess.quantities import largest_velocity
+from edesign.codes.device_factors import DeviceFactors
 from edesign.codes.motion_sets import SetRules
+from edesign.damper.factored import force_ratio
 from edesign.frame.devices import Device
 
 
@@ -77,6 +80,43 @@ def velocity(
         if found is not None:
             values.append(found)
     return _of(values)
+
+
+def factored_ratio(
+    device: Device,
+    stroke: Demand | None,
+    speed: Demand | None,
+    factors: DeviceFactors,
+    rules: SetRules,
+    period: float | None = None,
+) -> float:
+    """Return the force of a damper at stroke and velocity times the factors of a code, over that of histories.
+
+    Args:
+        stroke: demand on its deformation, m; None: not known.
+        speed: demand on its velocity, m/s; None: not known.
+        rules: of the code in force, which value of several histories counts.
+        period: natural period, s, of the pseudo velocity that stands for one that was not kept; None: there is none.
+
+    Returns:
+        The ratio by the law of the damper; nan where that depends on a velocity that is not known.
+    """
+    on_stroke, on_velocity = factors_on(device, factors)
+    if on_stroke == 1.0 and on_velocity == 1.0:
+        return 1.0
+    if stroke is None:
+        return math.nan
+    scale = device.deformation_scale
+    own = scale * stroke.governing(rules)
+    known = None if period is None else 2.0 * math.pi / period * own
+    if speed is not None:
+        known = scale * speed.governing(rules)
+    return force_ratio(device.values, own, known, on_stroke, on_velocity)
+
+
+def factors_on(device: Device, factors: DeviceFactors) -> tuple[float, float]:
+    """Return the factors on stroke and velocity of a damper, or of an isolator."""
+    return (factors.stroke, factors.velocity) if device.stands else (factors.isolator_stroke, 1.0)
 
 
 def _of_dashpots(group: Group, devices: Sequence[Device]) -> float | None:

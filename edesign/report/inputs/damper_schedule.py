@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -13,17 +14,18 @@ from edesign.codes.rule_check import with_standard
 from edesign.damper.laws import LAWS
 from edesign.frame.devices import Device, DeviceSize
 from edesign.ground_motion.hazard import rules_in_force
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.dampers import AnyChosenBrace, BraceSection
 from edesign.project.notation.names import damper_place
-from edesign.project.project import Project
 from edesign.project.study.study import Study, own_variant
 from edesign.report.assessment.measure_columns import ROUNDING
-from edesign.report.inputs.damper_demand import Demand, demand, velocity
+from edesign.report.inputs.damper_demand import Demand, demand, factored_ratio, factors_on, velocity
 from edesign.report.inputs.variant_frames import VariantFrames
 from edesign.report.tables.column import Column, col, count, text
 from edesign.report.tables.number import significant
 from edesign.report.tables.table import MORE, Row, Table, TableSpec
 from edesign.report.tables.unit import KN, KN_MM, M_S, MM, MM2, ONE, PERCENT
+from edesign.study.plan.device_factors import factors_in_force, factors_note
 
 QUANTITIES = (  # header, how it is called below, name, unit
     ("F", "force", "damper_force", KN),
@@ -52,6 +54,24 @@ REQUIRED = TableSpec[Row](
     "damper_demand",
     "Required of one damper{of}",
     (text("storey"), text("place"), text("law"), text("level"), MORE, col("histories", ONE), text("governs")),
+    keys=4,
+)
+FACTORED = TableSpec[Row](
+    "damper_demand_factored",
+    "Required with factors{of}",
+    (
+        text("storey"),
+        text("place"),
+        text("law"),
+        text("level"),
+        col("F", KN),
+        col("F factored", KN),
+        col("stroke", MM, negligible=ROUNDING),
+        col("stroke factored", MM, negligible=ROUNDING),
+        col("strain factored", PERCENT, optional=True),
+        col("v", M_S),
+        col("v factored", M_S),
+    ),
     keys=4,
 )
 
@@ -101,7 +121,9 @@ def schedule_tables(
         alike = _alike(frames.frame(variant).devices)
         if alike:
             tables.append(_schedule(variant, alike, frames.project(variant)))
-            tables.append(_required(variant, alike, _asking(variant, study, sets), frames, whole))
+            found = _found(alike, asking(variant, study, sets), frames, whole)
+            tables.append(_required(variant, alike, found, frames))
+            tables.append(_factored(variant, alike, found.demands, frames, study))
     return [table for table in tables if table.rows]
 
 
@@ -115,8 +137,12 @@ def _alike(devices: Sequence[Device]) -> list[_Alike]:
     return sorted(groups, key=lambda group: group.storey)
 
 
-def _asking(variant: str, study: Study | None, sets: Sequence[HistorySet]) -> list[tuple[str, HistorySet]]:
-    """The histories that ask of the dampers of a variant, and how they are called: level, bound, temperature."""
+def asking(variant: str, study: Study | None, sets: Sequence[HistorySet]) -> list[tuple[str, HistorySet]]:
+    """Return the histories that ask of the dampers of a variant, and how they are called: level, bound, temperature.
+
+    Args:
+        study: it is of; None: a project.
+    """
     found = []
     for one in sets:
         own = own_variant(one.variant) if study is not None else ""
@@ -129,7 +155,7 @@ def _asking(variant: str, study: Study | None, sets: Sequence[HistorySet]) -> li
     return found
 
 
-def _schedule(variant: str, alike: Sequence[_Alike], project: Project) -> Table:
+def _schedule(variant: str, alike: Sequence[_Alike], project: AnalysisFile) -> Table:
     rows: list[Row] = []
     for group in alike:
         one, places = group.devices[0], len(group.devices)
@@ -179,20 +205,89 @@ def _brace(device: Device) -> str:
     return f"{device.brace_bar.section}, {stiffness}{play}" if device.brace_bar is not None else stiffness + play
 
 
-def _required(
-    variant: str,
+@dataclass(frozen=True)
+class _Found:
+    """What histories ask of the dampers of a variant.
+
+    Attributes:
+        asking: the histories of each level.
+        demands: by number of the dampers that are alike, and level.
+    """
+
+    asking: Sequence[tuple[str, HistorySet]]
+    demands: dict[tuple[int, str], dict[str, Demand | None]]
+
+
+def _found(
     alike: Sequence[_Alike],
     asking: Sequence[tuple[str, HistorySet]],
     frames: VariantFrames,
     whole: Callable[[str], Group],
-) -> Table:
-    """What is required of one damper: mean and maximum of each level, and the level that governs."""
-    found = {
+) -> _Found:
+    demands = {
         (at, label): _demands(group, histories, frames, whole)
         for at, group in enumerate(alike)
         for label, histories in asking
         if histories.completed
     }
+    return _Found(asking, demands)
+
+
+def _factored(
+    variant: str,
+    alike: Sequence[_Alike],
+    found: dict[tuple[int, str], dict[str, Demand | None]],
+    frames: VariantFrames,
+    study: Study | None,
+) -> Table:
+    """The governing values of histories, bare and with the factors of the code; none where all factors are 1."""
+    factors, rules = factors_in_force(study, frames.hazard), rules_in_force(frames.hazard)
+    rows: list[Row] = []
+    for (at, label), demands in found.items():
+        group, one = alike[at], alike[at].devices[0]
+        on_stroke, on_velocity = factors_on(one, factors)
+        if (on_stroke, on_velocity) == (1.0, 1.0) or not any(demands.values()):
+            continue
+        force, stroke, strain, speed = (_governs(demands.get(name), rules) for _, _, name, _ in QUANTITIES)
+        period = frames.first_period(variant)
+        of = (demands.get("damper_deformation"), demands.get("velocity"), factors, rules, period)
+        ratio = factored_ratio(one, *of)
+        rows.append(
+            (
+                *group.at,
+                group.law,
+                label,
+                force,
+                None if math.isnan(ratio) else _times(force, ratio),
+                stroke,
+                _times(stroke, on_stroke),
+                _times(strain, on_stroke),
+                speed,
+                _times(speed, on_velocity),
+            )
+        )
+    if not rows:
+        return Table("")
+    notes = [
+        factors_note(factors, study is not None and study.device_factors is not None),
+        f"Of at least {rules.number_for_mean} histories the mean counts, else the largest.",
+        "F is of one damper, factored by its law at the factored stroke and velocity.",
+        "For this, a velocity that was not kept is the pseudo velocity of the first mode.",
+    ]
+    return FACTORED.of(sorted(rows, key=lambda row: str(row[0])), notes=notes, of=f", {variant}" if variant else "")
+
+
+def _governs(found: Demand | None, rules: SetRules) -> float | None:
+    return None if found is None else found.governing(rules)
+
+
+def _times(value: float | None, factor: float) -> float | None:
+    return None if value is None else factor * value
+
+
+def _required(variant: str, alike: Sequence[_Alike], asked: _Found, frames: VariantFrames) -> Table:
+    """What is required of one damper: mean and maximum of each level, and the level that governs."""
+    asking, found = asked.asking, asked.demands
     rules = rules_in_force(frames.hazard)
     shown = [q for q in QUANTITIES if any(one.get(q[2]) is not None for one in found.values())]
     asks = {label for (_, label), one in found.items() if any(value is not None for value in one.values())}

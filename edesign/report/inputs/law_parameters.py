@@ -9,8 +9,8 @@ from edesign.damper.law import Law
 from edesign.damper.laws import LAWS
 from edesign.damper.parameters import write_parameters
 from edesign.frame.devices import DeviceLaw
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.dampers import DamperLaw
-from edesign.project.project import Project
 from edesign.report.inputs.variant_frames import VariantFrames
 from edesign.report.tables.column import formula, text
 from edesign.report.tables.number import SCIENTIFIC, significant
@@ -57,7 +57,7 @@ def law_tables(frames: VariantFrames) -> list[Table]:
     return tables
 
 
-def _table(name: str, values: DeviceLaw, temperature: float | None, project: Project, of: str) -> Table:
+def _table(name: str, values: DeviceLaw, temperature: float | None, project: AnalysisFile, of: str) -> Table:
     assert project.dampers is not None
     law, spec = LAWS[values.law.law], project.dampers.laws[name]
     branches = (len(values.law.values) - len(law.parameters)) // len(law.branch) if law.branch else 0

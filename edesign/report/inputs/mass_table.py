@@ -32,13 +32,18 @@ def mass_tables(frames: VariantFrames) -> list[Table]:
     """
     alike: dict[tuple[tuple[float, float], ...], list[str]] = {}
     for variant in frames.variants:
-        mass, weight = _floors_of(frames.project(variant), frames.frame(variant))
+        project = frames.project(variant)
+        if not isinstance(project, Project):
+            return []  # a building has a table of its own
+        mass, weight = _floors_of(project, frames.frame(variant))
         if mass.any():
             alike.setdefault(tuple(zip(mass.tolist(), weight.tolist(), strict=True)), []).append(variant)
     tables = []
     for floors, variants in alike.items():
         of = f", {', '.join(variants)}" if len(alike) > 1 else ""
-        tables.append(_table(floors, frames.project(variants[0]), of))
+        project = frames.project(variants[0])
+        assert isinstance(project, Project)
+        tables.append(_table(floors, project, of))
     return tables
 
 

@@ -94,8 +94,8 @@ class Source:
 
     @cached_property
     def frames(self) -> VariantFrames | None:
-        """The frames of the variants, None without a project."""
-        return VariantFrames(self.archive, self.project, self.study) if self.project is not None else None
+        """The frames of the variants, None without a project or building."""
+        return VariantFrames(self.archive, self.base, self.study) if self.base is not None else None
 
     @cached_property
     def words(self) -> dict[str, str]:

@@ -7,7 +7,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property, partial
-from typing import Any, ClassVar, Generic, cast
+from typing import Any, ClassVar, Generic, TypeVar, cast
 
 import numpy as np
 
@@ -22,11 +22,11 @@ from edesign.project.dampers.designs import Optimum, SizedDesign
 from edesign.study.design.bounds import Bound, analyse_bounds
 from edesign.study.design.braces import history_forces
 from edesign.study.design.building import Building, make_building, per_storey, sized_dampers
-from edesign.study.design.device_model import DeviceModel
+from edesign.study.design.device_model import DeviceModel, Sizing
 from edesign.study.design.device_text import devices_text
 from edesign.study.design.estimate import Action, FrameEstimate, action_of, make_action
 from edesign.study.design.fully_stressed import StoreySizes, search_fully_stressed
-from edesign.study.design.loop import LARGEST_FACTOR, Round, RoundOutcome, S, Search, search
+from edesign.study.design.loop import LARGEST_FACTOR, Round, RoundOutcome, Search, search
 from edesign.study.design.optimum import search_optimum
 from edesign.study.design.plausibility import shared_mode
 from edesign.study.design.results import (
@@ -42,6 +42,7 @@ from edesign.study.design.results import (
 )
 from edesign.study.design.verification import Judge, Respond, histories_at, judged, kept_outcome, mean_drift
 
+S = TypeVar("S", bound=Sizing)
 REACHABLE = 0.95  # of the largest damping: towards it the dampers grow without limit
 
 

@@ -74,7 +74,8 @@ class DeviceModel(ABC, Generic[D, V]):
         self.building, self.spec, self.action = building, spec, action
         self.bare = building.frame.modes()
         self.brace = None if self.brace_ratio is None else self.brace_ratio * building.designed_stiffness
-        self.holding, self._held = self._holding(), None
+        self.holding = self._holding()
+        self._held: np.ndarray | None = None
         if self.holding is not None:
             self.hold(self.holding.first())
 

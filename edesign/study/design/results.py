@@ -208,11 +208,11 @@ def store_rounds(group: Group, model: Model, results: Results, rounds: Sequence[
     store_rows(group, model, "round", results.rounds, rounds)
     if model.holding is None:
         return
-    rows = [model.holding.horizontal(r.sizing.braces) for r in rounds]
-    group.add("round_brace_stiffness", ("round", *STOREY), rows, "N/m", "horizontal stiffness of the braces")
+    stiffness = [model.holding.horizontal(r.sizing.braces) for r in rounds]
+    group.add("round_brace_stiffness", ("round", *STOREY), stiffness, "N/m", "horizontal stiffness of the braces")
     forces = [() if r.outcome is None else r.outcome.force for r in rounds]
     if any(forces):
-        rows = [np.array(force or (math.nan,) * model.building.storeys.size) for force in forces]
+        rows = [force or (math.nan,) * model.building.storeys.size for force in forces]
         group.attributes["history_force_level"] = next(r.outcome.force_level for r in rounds if r.outcome is not None)
         label = "force of the dampers of a place, mean of the histories of the round, or their largest"
         group.add("round_history_force", ("round", *STOREY), rows, "N", label)

@@ -8,6 +8,7 @@ from operator import itemgetter
 
 from edesign.report.archive_view import results
 from edesign.report.html.section import Facts, Folded, Heading, Part, Section
+from edesign.report.inputs.connections import connection_tables
 from edesign.report.inputs.damper_schedule import schedule_tables
 from edesign.report.inputs.law_parameters import law_tables
 from edesign.report.inputs.mass_table import mass_tables
@@ -65,6 +66,10 @@ def _of_frames(source: Source, frames: VariantFrames) -> list[Part]:
         (
             "damper schedule",
             lambda: schedule_tables(frames, source.study, source.sets, lambda name: results(source.archive, name)),
+        ),
+        (
+            "connections of the dampers",
+            lambda: connection_tables(frames, source.study, source.sets, lambda name: results(source.archive, name)),
         ),
     )
     parts: list[Part] = []

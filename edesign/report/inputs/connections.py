@@ -1,0 +1,276 @@
+"""The forces of dampers on the gussets and connections that hold them: along damper or brace, across and upwards."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.assess.devices import worst_of_each
+from edesign.assess.sets import HistorySet
+from edesign.codes.device_factors import DeviceFactors
+from edesign.codes.motion_sets import SetRules
+from edesign.codes.rule_check import with_standard
+from edesign.frame.devices import Device
+from edesign.frame.frame_model import FrameModel
+from edesign.ground_motion.hazard import rules_in_force
+from edesign.project.notation.names import damper_place
+from edesign.project.study.study import Study
+from edesign.report.inputs.damper_demand import demand, factored_ratio, velocity
+from edesign.report.inputs.damper_schedule import asking
+from edesign.report.inputs.variant_frames import VariantFrames
+from edesign.report.tables.column import col, text
+from edesign.report.tables.table import Table, TableSpec
+from edesign.report.tables.unit import KN, ONE
+from edesign.study.plan.device_factors import factors_in_force, factors_note
+
+
+@dataclass(frozen=True)
+class Connection:
+    """A connection of a damper, or of one of its braces, and the force on it of a damper that pulls with 1.
+
+    Attributes:
+        part: what is connected: `lower gusset`, `apex`, `beam above`.
+        at: node, or the beam or floors of the storey.
+        force: on the structure, by coordinate, the last one upwards.
+        pulled: 1: the damper or brace there is in tension when the damper is; -1: in compression.
+    """
+
+    part: str
+    at: str
+    force: tuple[float, ...]
+    pulled: float = 1.0
+
+    @property
+    def size(self) -> float:
+        """Force along the damper or brace over that of the damper."""
+        return math.hypot(*self.force)
+
+    @property
+    def horizontal(self) -> float:
+        """Size of the horizontal component."""
+        return math.hypot(*self.force[:-1])
+
+    @property
+    def vertical(self) -> float:
+        """Size of the vertical component."""
+        return abs(self.force[-1])
+
+
+@dataclass(frozen=True)
+class _Demand:
+    """The forces of histories on a connection of a damper.
+
+    Attributes:
+        tension, compression: of the damper or brace at the connection, N.
+        factor: of the code, on both; nan: not known.
+    """
+
+    storey: int
+    place: str
+    connection: Connection
+    label: str
+    tension: float
+    compression: float
+    factor: float
+
+    @property
+    def largest(self) -> float:
+        """The larger one with its factor, N."""
+        return self.factor * max(self.tension, self.compression)
+
+    def component(self, size: float) -> float:
+        """Return a component of the larger force with its factor, N.
+
+        Args:
+            size: of the component of a damper that pulls with 1.
+        """
+        return self.largest * size / self.connection.size
+
+
+CONNECTIONS = TableSpec[_Demand](
+    "connection_forces",
+    "Forces for the connections of the dampers{of}",
+    (
+        text("storey", lambda one: str(one.storey or "-")),
+        text("damper", "place", broken=1),
+        text("connection", "connection.part"),
+        text("at", "connection.at"),
+        text("level", "label"),
+        col("T", KN, "tension"),
+        col("C", KN, "compression"),
+        col("factor", ONE, "factor", 3),
+        col("N", KN, "largest"),
+        col("H", KN, lambda one: one.component(one.connection.horizontal)),
+        col("V", KN, lambda one: one.component(one.connection.vertical)),
+    ),
+    keys=5,
+    formulas=True,
+)
+
+
+def connections_of(frame: FrameModel, device: Device) -> tuple[Connection, ...]:
+    """Return the connections of a damper with the forces on them of a damper that pulls with 1.
+
+    A chevron's braces carry the damper's force to the lower corners of the bay, one of them in tension: half of it
+    across, and a couple upwards. The damper pushes the beam above.
+
+    Args:
+        frame: that it stands in.
+    """
+    named = {number: name for name, number in frame.nodes.items()}
+    forces: dict[str, list[float]] = {}
+    for coefficient, node, degree in device.terms:
+        forces.setdefault(named[node], [0.0] * (frame.up + 1))[degree] -= coefficient
+    levels = {name: frame.places[name][-1] for name in forces}
+    low = min(levels.values())
+    if device.stands == "chevron":
+        return tuple(_chevron(frame, device, forces, levels, low))
+    if device.stands == "storey":
+        return tuple(_between_floors(forces, levels, low, device.storey))
+    found = []
+    for name, force in forces.items():
+        where = "lower gusset" if levels[name] == low else "upper gusset"
+        if max(levels.values()) == low:
+            where = "gusset"
+        found.append(Connection(where, name, tuple(force)))
+    return tuple(found)
+
+
+def _chevron(
+    frame: FrameModel, device: Device, forces: dict[str, list[float]], levels: dict[str, float], low: float
+) -> Iterator[Connection]:
+    feet = [name for name in forces if levels[name] == low]
+    above = np.sum([forces[name] for name in forces if name not in feet], axis=0)
+    middle = np.mean([frame.places[name] for name in feet], axis=0)
+    for name in feet:
+        # towards the apex, which lies above the middle, a brace pulls its foot
+        outwards = float(np.dot(middle[:-1] - np.array(frame.places[name])[:-1], forces[name][:-1]))
+        yield Connection("lower gusset", name, tuple(forces[name]), math.copysign(1.0, outwards))
+    storey = f"storey {device.storey}"
+    yield Connection("apex, to the damper", storey, tuple(-above))
+    yield Connection("beam above", storey, tuple(above.tolist()))
+
+
+def _between_floors(
+    forces: dict[str, list[float]], levels: dict[str, float], low: float, storey: int
+) -> Iterator[Connection]:
+    for part, of, floor in (("floor below", True, storey - 1), ("floor above", False, storey)):
+        total = np.sum([force for name, force in forces.items() if (levels[name] == low) == of], axis=0)
+        yield Connection(part, f"floor {floor}", tuple(total.tolist()))
+
+
+def connection_tables(
+    frames: VariantFrames,
+    study: Study | None,
+    sets: Sequence[HistorySet],
+    whole: Callable[[str], Group],
+    governing: bool = False,
+) -> list[Table]:
+    """Return the forces on each connection of the dampers of each variant, at each level.
+
+    Bounds of a variant, and other temperatures, ask of its own dampers; variants that `vary` makes are left out.
+
+    Args:
+        study: it is of; None: a project.
+        whole: reads the results of an analysis with what was kept over time.
+        governing: whether only the level is told whose force is largest.
+
+    Raises:
+        InputError: a frame cannot be built.
+    """
+    factors, rules = factors_in_force(study, frames.hazard), rules_in_force(frames.hazard)
+    derived = study.derived if study is not None else {}
+    tables = []
+    for variant in frames.variants:
+        if variant in derived:
+            continue
+        frame = frames.frame(variant)
+        rows: list[_Demand] = []
+        asked = [(label, one) for label, one in asking(variant, study, sets) if one.completed]
+        for device in frame.devices:
+            if device.stands:
+                demands: list[_Demand] = []
+                for label, one in asked:
+                    demands += _demands(frames, variant, device, label, one, factors, whole)
+                rows += _governing(demands) if governing else demands
+        rows.sort(key=lambda one: one.storey)
+        named = study is not None and study.device_factors is not None
+        notes = _notes(rules, factors, named, governing and len(asked) > 1)
+        tables.append(CONNECTIONS.of(rows, notes=notes if rows else [], of=f", {variant}" if variant else ""))
+    return [table for table in tables if table.rows]
+
+
+def _demands(
+    frames: VariantFrames,
+    variant: str,
+    device: Device,
+    label: str,
+    found: HistorySet,
+    factors: DeviceFactors,
+    whole: Callable[[str], Group],
+) -> Iterator[_Demand]:
+    rules, frame = rules_in_force(frames.hazard), frames.frame(variant)
+    completed = found.completed
+    groups = [group for group in completed.values() if _has(group, device)]
+    if len(groups) < len(completed):
+        return
+    most, least = (np.array([_extreme(group, device, which) for group in groups]) for which in ("max", "min"))
+    pull, push = (_counted(worst_of_each(found, values), rules) for values in (most, -least))
+    period = frames.first_period(variant)
+    kept = [partial(whole, name) for name in completed]
+    stroke, speed = demand(groups, [device], "damper_deformation"), velocity(groups, kept, [device])
+    ratio = factored_ratio(device, stroke, speed, factors, rules, period)
+    kind, place = damper_place(device.name)
+    for connection in connections_of(frame, device):
+        both = (pull, push) if connection.pulled > 0.0 else (push, pull)
+        tension, compression = (max(value, 0.0) * connection.size for value in both)
+        factor = factors.overstrength * ratio
+        yield _Demand(device.storey, f"{kind}, {place}", connection, label, tension, compression, factor)
+
+
+def _has(group: Group, device: Device) -> bool:
+    return "damper_force_max" in group.variables and device.name in group.coords["damper"].values
+
+
+def _extreme(group: Group, device: Device, which: str) -> float:
+    number = [str(name) for name in group.coords["damper"].values].index(device.name)
+    return float(group.variables[f"damper_force_{which}"].values[number])
+
+
+def _counted(worst: np.ndarray, rules: SetRules) -> float:
+    return float(worst.mean() if len(worst) >= rules.number_for_mean else worst.max())
+
+
+def _governing(demands: Sequence[_Demand]) -> list[_Demand]:
+    """Of each connection the level with the largest force; without any factor the largest of the histories."""
+    found: dict[tuple[str, str], _Demand] = {}
+    for one in demands:
+        key = (one.connection.part, one.connection.at)
+        before = found.get(key)
+        if before is None or max(one.tension, one.compression) > max(before.tension, before.compression):
+            found[key] = one
+    return list(found.values())
+
+
+def _notes(rules: SetRules, factors: DeviceFactors, asked: bool, governing: bool) -> list[str]:
+    clause = f" ({with_standard(rules.clauses.use)})" if rules.clauses.use else ""
+    notes = [
+        "T, C: largest tension and compression of all dampers of the place, or of one of their braces, along it.",
+        f"Of at least {rules.number_for_mean} motions the mean counts, else the largest{clause}.",
+        "N: the larger one times the factor; H, V: its horizontal and vertical component on the node.",
+    ]
+    told = factors_note(factors, asked)
+    notes.append(told or "No factor is asked for: the study file has none in `device_factors`.")
+    if told:
+        notes.append(
+            "The factor is overstrength times the ratio of forces by the law of the damper itself; a velocity that was "
+            "not kept is the pseudo velocity of the first mode."
+        )
+    if governing:
+        notes.append("The level is that with the largest force; the report and its workbook have all levels.")
+    return notes
