@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from typing import NamedTuple
 
 from edesign.archive.dataset import Group
 from edesign.assess.devices import DeviceDemand, device_demand
 from edesign.assess.sets import HistorySet
+from edesign.codes.device_factors import NONE, DeviceFactors
 from edesign.codes.motion_sets import SetRules
 from edesign.codes.rule_check import with_standard
+from edesign.core import LawValues
+from edesign.damper.factored import force_ratio
 from edesign.report.design.viscous_tables import kilonewtons
 from edesign.report.tables.column import Column, col, count, text
 from edesign.report.tables.items import Place, places
@@ -27,6 +32,8 @@ class _Device(NamedTuple):
     """On its strength, of a variant."""
     largest: Mapping[str, tuple[float | None, float | None]]
     """Mean and largest of the histories, SI."""
+    factored: Mapping[str, float]
+    """The one that counts, with the factors of the code; none where all are 1."""
 
 
 def _size(name: str) -> Callable[[_Device], float]:
@@ -43,6 +50,10 @@ def _largest(header: str, unit: Unit, name: str) -> tuple[Column[_Device], Colum
         col(f"mean {header}", unit, lambda device: device.largest[name][0]),
         col(f"max {header}", unit, lambda device: device.largest[name][1]),
     )
+
+
+def _ordered(header: str, unit: Unit, name: str) -> Column[_Device]:
+    return col(f"{header} factored", unit, lambda device: device.factored.get(name), optional=True)
 
 
 _TITLE = "Devices to order: largest values of one damper"
@@ -62,6 +73,9 @@ VISCOUS_DEVICES = TableSpec[_Device](
         *_largest("force", KN, "force"),
         *_largest("stroke", MM, "stroke"),
         *_largest("velocity", M_S, "velocity"),
+        _ordered("force", KN, "force"),
+        _ordered("stroke", MM, "stroke"),
+        _ordered("velocity", M_S, "velocity"),
     ),
     named_as=_FILE,
 )
@@ -75,6 +89,8 @@ HYSTERETIC_DEVICES = TableSpec[_Device](
         *_largest("force", KN, "force"),
         *_largest("stroke", MM, "stroke"),
         *_largest("plastic", MM, "cumulated_plastic"),
+        _ordered("force", KN, "force"),
+        _ordered("stroke", MM, "stroke"),
     ),
     named_as=_FILE,
 )
@@ -89,6 +105,8 @@ RESTRAINED_DEVICES = TableSpec[_Device](
         *_largest("force", KN, "force"),
         *_largest("strain", PERCENT, "core_strain"),
         *_largest("cum.", Unit("-"), "cumulative_ductility"),
+        _ordered("force", KN, "force"),
+        _ordered("strain", PERCENT, "core_strain"),
     ),
     named_as=_FILE,
 )
@@ -96,19 +114,58 @@ _BY_KIND = {"viscous": VISCOUS_DEVICES, "hysteretic": HYSTERETIC_DEVICES, "buckl
 _VALUES = ("force", "stroke", "velocity", "cumulated_plastic", "core_strain", "cumulative_ductility")
 
 
-def devices_table(group: Group, sets: Sequence[HistorySet], factors: Mapping[str, float], rules: SetRules) -> Table:
+@dataclass(frozen=True)
+class OrderFactors:
+    """What raises the values that dampers are ordered with.
+
+    Attributes:
+        factors: of a code, or of the study.
+        law: of the dampers, by which their force follows; None: it is not known, and the force is left out.
+        note: where the factors come from.
+    """
+
+    factors: DeviceFactors = NONE
+    law: LawValues | None = None
+    note: str = ""
+
+    def of(self, values: Mapping[str, float | None]) -> dict[str, float]:
+        """Return values with their factors; none where all factors are 1.
+
+        Args:
+            values: of one damper, SI, by name.
+        """
+        factors = self.factors
+        if factors.stroke == 1.0 and factors.velocity == 1.0:
+            return {}
+        by = {"stroke": factors.stroke, "velocity": factors.velocity, "core_strain": factors.stroke}
+        found = {name: factor * value for name, factor in by.items() if (value := values.get(name)) is not None}
+        force, stroke = values.get("force"), values.get("stroke")
+        if self.law is not None and force is not None and stroke is not None:
+            ratio = force_ratio(self.law, stroke, values.get("velocity"), factors.stroke, factors.velocity)
+            found |= {} if math.isnan(ratio) else {"force": force * ratio}
+        return found
+
+
+def devices_table(
+    group: Group,
+    sets: Sequence[HistorySet],
+    factors: Mapping[str, float],
+    rules: SetRules,
+    raised: OrderFactors = OrderFactors(),  # noqa: B008 - frozen
+) -> Table:
     """Return the data to order the dampers: the estimate, and the demand in histories of the variants that have them.
 
     Args:
         group: of a design of viscous or hysteretic dampers.
         factors: property factors of the variants that have the design, by their names.
         rules: of the code in force, for statistics over motions.
+        raised: factors of the code on stroke and velocity.
     """
     if "device_count" not in group.variables or group.attributes.get("status") != "completed":
         return Table("")
     demands = [device_demand(group, found, factors[found.variant]) for found in sets if found.variant in factors]
     found = [demand for demand in demands if demand is not None]
-    devices = list(_devices(group, found, factors))
+    devices = list(_devices(group, found, factors, rules, raised))
     notes = _notes(group, found) if devices else []
     if devices:
         notes += governing_notes(
@@ -117,19 +174,27 @@ def devices_table(group: Group, sets: Sequence[HistorySet], factors: Mapping[str
     if any(factors[demand.variant] != 1.0 for demand in found):
         own = "T_adj and C_adj have" if _kind(group) == "buckling_restrained" else "forces alone have"
         notes.append(f"{own} the bound of a variant; what is ordered is without")
+    if raised.note and any(device.factored for device in devices):
+        notes += [*wrapped(raised.note), "factored: of the value that counts; the force by the law of the damper"]
     coefficient = group.variables.get("device_coefficient")
     units = {} if coefficient is None else {"coefficient": kilonewtons(coefficient.unit)}
     return _BY_KIND[_kind(group)].of(devices, units=units, notes=notes)
 
 
-def _devices(group: Group, found: Sequence[DeviceDemand], factors: Mapping[str, float]) -> Iterator[_Device]:
+def _devices(
+    group: Group, found: Sequence[DeviceDemand], factors: Mapping[str, float], rules: SetRules, raised: OrderFactors
+) -> Iterator[_Device]:
     for storey in places({"": group}, "storey"):
         if "estimated_device_force" in group.variables:
-            estimated = {name: (storey.value(f"estimated_device_{name}"), None) for name in _VALUES}
-            yield _Device("estimate", storey, 1.0, estimated)
+            estimated = {name: storey.value(f"estimated_device_{name}") for name in _VALUES}
+            both = {name: (value, None) for name, value in estimated.items()}
+            yield _Device("estimate", storey, 1.0, both, raised.of(estimated))
         for demand in found:
-            values = {name: (both[0, storey.number], both[1, storey.number]) for name, both in demand.values.items()}
-            yield _Device(_whose(demand), storey, factors[demand.variant], values)
+            of = demand.values.items()
+            values = {name: (both[0, storey.number], both[1, storey.number]) for name, both in of}
+            counts = 0 if demand.motions >= rules.number_for_mean else 1
+            ordered = raised.of({name: float(both[counts]) for name, both in values.items()})
+            yield _Device(_whose(demand), storey, factors[demand.variant], values, ordered)
 
 
 def _whose(demand: DeviceDemand) -> str:

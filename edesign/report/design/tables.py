@@ -14,7 +14,7 @@ from edesign.assess.sets import HistorySet
 from edesign.ground_motion.hazard import rules_in_force
 from edesign.project.actions.hazard_base import Hazard
 from edesign.report.design.braces_table import braces_table
-from edesign.report.design.device_order import devices_table
+from edesign.report.design.device_order import OrderFactors, devices_table
 from edesign.report.design.hysteretic_tables import hysteretic_damping_table, hysteretic_storeys_table
 from edesign.report.design.placement_tables import placement_tables
 from edesign.report.design.storeys import STOREY, heading
@@ -145,7 +145,11 @@ BOUNDS = TableSpec[Row](
 
 
 def design_tables(
-    group: Group, sets: Sequence[HistorySet] = (), factors: Mapping[str, float] = EMPTY, hazard: Hazard | None = None
+    group: Group,
+    sets: Sequence[HistorySet] = (),
+    factors: Mapping[str, float] = EMPTY,
+    hazard: Hazard | None = None,
+    raised: OrderFactors = OrderFactors(),  # noqa: B008 - frozen
 ) -> list[Table]:
     """Return the tables of a design.
 
@@ -154,6 +158,7 @@ def design_tables(
         sets: histories by variant and level, for the order of dampers.
         factors: property factors of the variants that have the design, by their names.
         hazard: of the project, whose code is in force.
+        raised: factors of the code on what dampers are ordered with.
     """
     rules = rules_in_force(hazard)
     method = group.attributes.get("method")
@@ -161,10 +166,10 @@ def design_tables(
         tables = [*placement_tables(group, sets, factors, rules), _lines(_warning_lines(group))]
         return [table for table in tables if table.rows or table.notes]
     if method == "viscous":
-        order = devices_table(group, sets, factors, rules)
+        order = devices_table(group, sets, factors, rules, raised)
         sized = [viscous_storeys_table(group), order, viscous_damping_table(group)]
     elif method == "hysteretic":
-        order = devices_table(group, sets, factors, rules)
+        order = devices_table(group, sets, factors, rules, raised)
         sized = [hysteretic_storeys_table(group), order, hysteretic_damping_table(group)]
     else:
         sized = [storeys_table(group), damping_table(group)]

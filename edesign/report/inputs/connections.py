@@ -94,7 +94,7 @@ class _Demand:
 
 CONNECTIONS = TableSpec[_Demand](
     "connection_forces",
-    "Forces for the connections of the dampers{of}",
+    "Connections of the dampers{of}{governing}",
     (
         text("storey", lambda one: str(one.storey or "-")),
         text("damper", "place", broken=1),
@@ -201,7 +201,9 @@ def connection_tables(
         rows.sort(key=lambda one: one.storey)
         named = study is not None and study.device_factors is not None
         notes = _notes(rules, factors, named, governing and len(asked) > 1)
-        tables.append(CONNECTIONS.of(rows, notes=notes if rows else [], of=f", {variant}" if variant else ""))
+        of = f", {variant}" if variant else ""
+        largest = ", largest of all levels" if governing else ""
+        tables.append(CONNECTIONS.of(rows, notes=notes if rows else [], of=of, governing=largest))
     return [table for table in tables if table.rows]
 
 
