@@ -10,6 +10,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.report.archived import archived_base
+from edesign.report.design.device_figures import device_figures
 from edesign.report.design.heights import heights_caption, heights_figure, size_of
 from edesign.report.design.hysteretic_figures import hysteretic_figures
 from edesign.report.design.placement_figures import placement_figures
@@ -42,7 +43,7 @@ MARKERS = ("o", "s", "^", "D", "v")
 
 
 def design_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
-    """Yield the rounds of each design, and its dampers over the height.
+    """Yield the rounds of each design, its dampers over the height, and one of them as a device.
 
     Yields:
         Name of the file, caption and figure.
@@ -64,6 +65,7 @@ def design_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
         rounds, iterations = _rounds(name, group), _iterations(name, group)
         parts = [iterations, rounds] if method == "viscous" else [rounds, iterations]
         yield from (part for part in parts if part is not None)
+    yield from device_figures(archive)
 
 
 def _rounds(name: str, group: Group) -> tuple[str, str, Figure] | None:
