@@ -18,6 +18,7 @@ from matplotlib.transforms import Affine2D, Bbox
 from edesign.report.drawing.style import in_style_of_figures
 from edesign.report.drawing.symbols import in_parts
 from edesign.report.drawing.thin_out import thin_out_all
+from edesign.report.html.lettering import Written
 from edesign.report.html.section import Picture
 from edesign.report.tables.visible import visible_line
 
@@ -64,6 +65,22 @@ def inline_svg(figure: Figure, name: str, title: str, description: str = "") -> 
     Returns:
         The element, and its width in points.
     """
+    renderer = rendered(figure, name)
+    described = f' aria-describedby="{name}-desc"' if description else ""
+    box = f"0 0 {_number(UNITS * renderer.width)} {_number(UNITS * renderer.height)}"
+    texts = f'<title id="{name}-title">{_escaped(title)}</title>'
+    texts += f'<desc id="{name}-desc">{_escaped(description)}</desc>' if description else ""
+    start = f'<svg viewBox="{box}" role="img" aria-labelledby="{name}-title"{described}>{texts}'
+    return f"{start}{renderer.element()}</svg>", renderer.width
+
+
+def rendered(figure: Figure, name: str) -> PageRenderer:
+    """Draw a figure as the page has it, and return what drew it.
+
+    Args:
+        figure: as drawn by a `styled` function.
+        name: what names of parts begin with.
+    """
     canvas, dpi = figure.canvas, figure.dpi
     with in_style_of_figures():
         figure.dpi = 72
@@ -73,12 +90,7 @@ def inline_svg(figure: Figure, name: str, title: str, description: str = "") -> 
         figure.draw(renderer)
         figure.dpi = dpi
         figure.set_canvas(canvas)
-    described = f' aria-describedby="{name}-desc"' if description else ""
-    box = f"0 0 {_number(UNITS * renderer.width)} {_number(UNITS * renderer.height)}"
-    texts = f'<title id="{name}-title">{_escaped(title)}</title>'
-    texts += f'<desc id="{name}-desc">{_escaped(description)}</desc>' if description else ""
-    start = f'<svg viewBox="{box}" role="img" aria-labelledby="{name}-title"{described}>{texts}'
-    return f"{start}{renderer.element()}</svg>", renderer.width
+    return renderer
 
 
 class PageRenderer(RendererBase):
@@ -87,11 +99,15 @@ class PageRenderer(RendererBase):
     Args:
         width, height: of the figure, points, which are pixels here.
         name: what names of parts begin with.
+
+    Attributes:
+        written: the texts, in the order in which they were drawn.
     """
 
     def __init__(self, width: float, height: float, name: str) -> None:
         super().__init__()
         self.width, self.height = width, height
+        self.written: list[Written] = []
         self._drawn: list[str] = []
         self._long: list[tuple[np.ndarray, bool]] = []
         self._name = name
@@ -154,6 +170,7 @@ class PageRenderer(RendererBase):
         if ismath:  # as outlines
             super().draw_text(gc, x, y, s, prop, angle, ismath, mtext)
             return
+        self.written.append(Written(s, _outline(s, prop, x, self.height - y, angle)))
         style = [f"font-size:{_number(UNITS * prop.get_size_in_points())}px"]
         if mtext is not None and mtext.get_horizontalalignment() in _ANCHORS:
             if not angle or mtext.get_rotation_mode() == "anchor":  # fonts of the page are less wide
@@ -254,6 +271,15 @@ def _text_size(text: str, prop: FontProperties) -> tuple[float, float, float]:
     """Width, height and descent of a line of text, points; the labels of figures recur."""
     width, height, descent = RendererBase().get_text_width_height_descent(text, prop, False)
     return float(width), float(height), float(descent)
+
+
+def _outline(text: str, prop: FontProperties, x: float, y: float, angle: float) -> np.ndarray:
+    """Corners of the box of a text whose base line begins at x, y, upwards, (4, 2) points."""
+    width, height, descent = _text_size(text, prop)
+    box = np.array([(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)]) - (0.0, descent)
+    turn = math.radians(angle)
+    c, s = math.cos(turn), math.sin(turn)
+    return np.asarray(box @ np.array([[c, s], [-s, c]]) + (x, y))
 
 
 def _style(gc: Any, face: Any) -> str:

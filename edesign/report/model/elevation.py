@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import groupby, pairwise
+from itertools import count, groupby, pairwise
+
+import numpy as np
 
 from edesign.project.frame.frame import Frame
-from edesign.report.model.boxes import Spot, text_size
+from edesign.report.drawing.text_size import text_size
+from edesign.report.model.boxes import Spot
 from edesign.report.model.sheet import FAINT, SMALLEST, SOFT, TEXT, Point, Sheet
 
 WIDEST, TALLEST = 4.9, 6.4  # inches of a frame
@@ -147,22 +150,31 @@ def draw_plan_axes(sheet: Sheet, grid: Grid, numbers: Sequence[str]) -> None:
 
 
 def draw_axis_names(sheet: Sheet, names: Sequence[str], places: Sequence[Point], ends: Sequence[Point]) -> None:
-    """Draw circles with the names of axes, and the axes up to where they end; the outer ones before the others.
+    """Draw circles with the names of axes, and the axes up to where they end; farther out where two would meet.
 
     Args:
-        places: of the circles, inches.
+        places: of the circles in the first row, inches.
         ends: of the lines from there, inches.
     """
-    labelled: list[Point] = []
-    order = sorted(range(len(names)), key=lambda k: 0 < k < len(names) - 1)
-    for k in order:
-        (x, y), wide = places[k], 2.0 * BUBBLE + 0.01
-        if any(abs(x - u) < wide and abs(y - v) < wide for u, v in labelled):
-            continue
-        labelled.append((x, y))
-        sheet.line((x, y), ends[k], color=FAINT, width=0.5, zorder=0.5)
-        sheet.dots([(x, y)], 2.0 * BUBBLE * 72.0, mew=0.5)
-        sheet.text(Spot(x, y), names[k], TEXT if len(names[k]) < 3 else 5.0)
+    wide, taken = 2.0 * BUBBLE + 0.01, list[Point]()
+    for name, (x, y), end in zip(names, places, ends, strict=True):
+        away = np.array((x, y)) - end
+        step = wide * away / max(float(np.hypot(*away)), 1e-9)
+        row = next(k for k in count() if _free((x + k * step[0], y + k * step[1]), taken, wide))
+        at = (x + row * float(step[0]), y + row * float(step[1]))
+        taken.append(at)
+        sheet.line(at, end, color=FAINT, width=0.5, zorder=0.5)
+        sheet.dots([at], 2.0 * BUBBLE * 72.0, mew=0.5)
+        sheet.text(Spot(*at), name, _name_size(name))
+
+
+def _free(at: Point, taken: Sequence[Point], wide: float) -> bool:
+    return all(abs(at[0] - x) >= wide - 1e-9 or abs(at[1] - y) >= wide - 1e-9 for x, y in taken)
+
+
+def _name_size(name: str) -> float:
+    """The largest type of those of the drawing, points, in which a name stands in its circle; long ones reach over."""
+    return next((size for size in (TEXT, SMALLEST, 5.0) if text_size(name, size)[0] < 1.8 * BUBBLE), 5.0)
 
 
 def draw_chain(sheet: Sheet, marks: Sequence[Point], places: Sequence[float], turned: float) -> None:

@@ -167,21 +167,47 @@ def _parts(sheet: Sheet, place: Elevation, found: Loaded) -> Iterator[_Label]:
 
 
 def _points(sheet: Sheet, place: Elevation, found: Loaded) -> Iterator[_Label]:
-    """Forces on beams; of equal ones on one beam one is labelled if there is no room for all."""
+    """Forces on beams; equal ones of beams beside each other are labelled once, with the axes between which they act.
+
+    The axes stand there where the beam next to them has other forces.
+    """
     frame = place.frame
-    order = sorted(found.points, key=lambda p: (p[1], p[0], p[3]))
-    for (floor, bay, load), run in groupby(order, key=lambda p: (p[1], p[0], p[3])):
-        points = list(run)
-        text = _g_and_q(load)
-        each = f"{text} each" if len(points) > 1 else text
-        spots = []
-        for _, _, at, _ in points:
-            x, y = place.at(frame.x[bay - 1] + at, frame.levels[floor])
-            low = y + (_high(place, floor) if (bay, floor) in found.uniform else 0.0)
-            _force(sheet, x, low)
-            spots += [Spot(x, low + ARROW + lift, "center", "bottom") for lift in (0.02, 0.13)]
-            spots += [Spot(x + side * 0.03, low + 0.12, ha) for side, ha in ((1.0, "left"), (-1.0, "right"))]
-        yield _Label(spots, each, f"floor {floor}, bay {bay}", "kN")
+    on: dict[tuple[int, int], list[tuple[float, G_Q]]] = defaultdict(list)
+    for bay, floor, at, load in found.points:
+        on[floor, bay].append((round(at, 6), load))
+        x, y = place.at(frame.x[bay - 1] + at, frame.levels[floor])
+        _force(sheet, x, y + _band(place, found, bay, floor))
+    for (floor, forces), bays in _beside_each_other(on):
+        touches = any((floor, bay) in on for bay in (bays[0] - 1, bays[-1] + 1))
+        where = f"{frame.lines[bays[0] - 1]}-{frame.lines[bays[-1]]}: " if touches and bays[1:] else ""
+        middle = 0.5 * (bays[0] + bays[-1])
+        for load in dict.fromkeys(load for _, load in forces):
+            places = [at for at, one in forces if one == load]
+            spots = []
+            for bay in sorted(bays, key=lambda bay, m=middle: abs(bay - m)):  # type: ignore[misc]
+                for at in places:
+                    x, y = place.at(frame.x[bay - 1] + at, frame.levels[floor])
+                    low = y + _band(place, found, bay, floor)
+                    spots += [Spot(x, low + ARROW + lift, "center", "bottom") for lift in (0.02, 0.13)]
+                    spots += [Spot(x + side * 0.03, low + 0.12, ha) for side, ha in ((1.0, "left"), (-1.0, "right"))]
+            each = " each" if len(places) * len(bays) > 1 else ""
+            said = f"bays {bays[0]}-{bays[-1]}" if bays[1:] else f"bay {bays[0]}"
+            yield _Label(spots, f"{where}{_g_and_q(load)}{each}", f"floor {floor}, {said}", "kN")
+
+
+def _beside_each_other(
+    on: dict[tuple[int, int], list[tuple[float, G_Q]]],
+) -> Iterator[tuple[tuple[int, tuple[tuple[float, G_Q], ...]], list[int]]]:
+    """Floor and forces of beams with equal ones, and their bays, which follow each other."""
+    order = sorted(on)
+    runs = groupby(enumerate(order), key=lambda one: (one[1][0], one[1][1] - one[0], tuple(sorted(on[one[1]]))))
+    for (floor, _, forces), run in runs:
+        yield (floor, forces), [bay for _, (_, bay) in run]
+
+
+def _band(place: Elevation, found: Loaded, bay: int, floor: int) -> float:
+    """Height of what stands between a beam and the forces on it, inches."""
+    return _high(place, floor) if (bay, floor) in found.uniform else 0.0
 
 
 def _force(sheet: Sheet, x: float, y: float) -> None:

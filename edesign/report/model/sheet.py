@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from edesign.report.drawing.style import styled
-from edesign.report.model.boxes import INCH, Boxes, Spot, corners_of, text_size, wrapped
+from edesign.report.drawing.text_size import INCH, text_size, wrapped
+from edesign.report.model.boxes import Boxes, Spot, corners_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

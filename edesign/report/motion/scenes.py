@@ -30,9 +30,6 @@ from edesign.report.response.histories import (
 )
 from edesign.study.results.motion import MOST_PICTURES, SHORTEST
 
-MOST_VARIANTS = 4
-"""Frames that stand side by side."""
-
 
 @dataclass(frozen=True)
 class Scene:
@@ -43,7 +40,6 @@ class Scene:
         record: its history, in words.
         of: how many records there are.
         among: of how many of them as much was kept as of this one.
-        left_out: variants that are not shown.
         time: of the pictures, s.
         ground: acceleration at each picture, m/s2; of a building along x and y, (pictures, 2).
         scale: classes of the hinges.
@@ -54,7 +50,6 @@ class Scene:
     record: str
     of: int
     among: int
-    left_out: int
     time: np.ndarray
     ground: np.ndarray
     scale: Scale
@@ -99,7 +94,7 @@ def scenes(archive: Archive) -> Iterator[Scene]:
             continue
         record, counts = _record(found)
         shown = {variant: records[record] for variant, records in found.items() if record in records}
-        first = list(shown.items())[:MOST_VARIANTS]
+        first = list(shown.items())
         time = _pictures([group for _, (_, group) in first])
         rotations = [
             {e: r for e, r in plastic_rotations(group).items() if r > ELASTIC_ROTATION} for _, (_, group) in first
@@ -122,7 +117,7 @@ def scenes(archive: Archive) -> Iterator[Scene]:
         ground = group.variables["ground_acceleration"].values[nearest(group, "time", time)]
         alone = first[0][1][0].record
         label = f"{record_label(alone)}{record.removeprefix(alone)}"
-        yield Scene(level, label, *counts, len(shown) - len(first), time, ground, scale, tuple(moving))
+        yield Scene(level, label, *counts, time, ground, scale, tuple(moving))
 
 
 NEEDED = ("floor_displacement", "ground_acceleration", "storey_height", "storey_drift_max", "storey_drift_min")

@@ -9,7 +9,8 @@ import numpy as np
 
 from edesign.report.drawing.captions import at_level, plain
 from edesign.report.drawing.frame_drawing import DAMPER, SUPPORTS
-from edesign.report.drawing.style import MEAN, new_figure, styled
+from edesign.report.drawing.panels import arrangement
+from edesign.report.drawing.style import MEAN, styled
 from edesign.report.motion.encoding import fitting_scale
 from edesign.report.motion.geometry import BELOW, GROUND, SIGN, Geometry, Hung
 from edesign.report.motion.moving import Moving
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
 UNMOVED = "#c9ced6"
 TUNED = "#7b3f98"
 MARGIN = 0.04  # of the larger side of the frame
-HEIGHT, WIDEST = 3.0, 6.6  # inches of a frame, and of all
 
 
 @styled
@@ -36,19 +36,22 @@ def still_figure(scene: Scene) -> Figure:
     places = np.array(list(scene.variants[0].geometry.nodes.values()))
     wide, high = (float(size) for size in np.ptp(places, axis=0))
     scale, margin = fitting_scale(scene), MARGIN * max(wide, high)
-    aside = scale * max(one.at(np.array([scene.peak])).reach for one in scene.variants)
+    aside = scale * max(one.at(np.array([scene.peak])).reach for one in scene.variants) + margin
     bottom = min(one.geometry.ground for one in scene.variants) - margin
     top = places[:, 1].max() + margin
-    ratio = (wide + 2.0 * (aside + margin)) / (top - bottom)
-    width = max(1.5, min(WIDEST / len(scene.variants), HEIGHT * ratio))
-    figure, axes = new_figure(1, len(scene.variants), width * len(scene.variants), width / ratio + 0.6)
+    of_all = wide + 2.0 * aside, top - bottom
+    arranged = arrangement(len(scene.variants), places[:, 0].tolist(), places[:, 1].tolist(), *of_all)
+    figure, axes = arranged.figure()
+    for axis in axes[len(scene.variants) :]:
+        axis.set_visible(False)
     ranks: set[int] = set()
-    for axis, one in zip(axes[0], scene.variants, strict=True):
+    for axis, one in zip(axes, scene.variants, strict=False):
         ranks |= _draw(axis, one, scene.peak, scale)
-        axis.set_title(one.title or "frame", loc="left")
-        axis.set_xlim(places[:, 0].min() - aside - margin, places[:, 0].max() + aside + margin)
+        arranged.scale(axis)
+        arranged.title(axis, one.title or "frame")
+        axis.set_xlim(places[:, 0].min() - aside, places[:, 0].max() + aside)
         axis.set_ylim(bottom, top)
-    class_legend(figure, scene, ranks, 2 if width * len(axes[0]) < 4.0 else 4)
+    class_legend(figure, scene, ranks, 2 if figure.get_figwidth() < 4.0 else 4)
     return figure
 
 
@@ -139,8 +142,6 @@ def _draw(axis: Axes, one: Moving, picture: int, scale: float) -> set[int]:
         filled = COLORS[rank - 1] if one.rotation is not None else "white"
         edge = MEAN if one.rotation is not None else COLORS[rank - 1]
         axis.plot(x, y, marker="o", ls="none", ms=SIZES[rank - 1], mfc=filled, mec=edge, mew=0.5, zorder=3)
-    axis.set_aspect("equal")
-    axis.set_axis_off()
     return found
 
 
@@ -205,8 +206,6 @@ def motion_caption(scene: Scene) -> str:
             "When hinges form was not kept, as it is with histories: [motion] in the outputs. Rings mark the ends that "
             "yield at any time, by their largest rotation"
         )
-    if scene.left_out:
-        sentences.append(f"Variants not shown: {scene.left_out}")
     return "".join(f"{sentence}. " for sentence in sentences).strip()
 
 

@@ -18,6 +18,7 @@ from edesign.report.pdf.appendix import appendix_number, printed
 from edesign.report.pdf.fit import begins_wide, fit_table, picture_size
 from edesign.report.pdf.fonts import font_faces, fonts_folder
 from edesign.report.pdf.paper import MARGIN_BOTTOM, MARGIN_SIDE, MARGIN_TOP, PrintOptions
+from edesign.report.pdf.texts import begun_at_left
 from edesign.report.tables.visible import visible
 
 PDF_SUFFIXES = (".pdf",)
@@ -120,7 +121,8 @@ def print_text(page: Page, options: PrintOptions = DEFAULTS) -> str:
         "begins_wide": partial(begins_wide, paper=paper),
         "picture_size": partial(picture_size, paper=paper),
     }
-    return visible(fill_template(page.cover, shown.sections, f"{font_faces()}\n{sheet}\n{css}", layout))
+    text = fill_template(page.cover, shown.sections, f"{font_faces()}\n{sheet}\n{css}", layout)
+    return visible(begun_at_left(text))
 
 
 def _laid_out(text: str) -> bytes:

@@ -24,7 +24,8 @@ from edesign.report.assessment.measure_columns import ROUNDING
 from edesign.report.drawing.building_drawing import BuildingElevation, frame_names
 from edesign.report.drawing.captions import at_level, file_name, plain
 from edesign.report.drawing.frame_drawing import Elevation, FrameElevation
-from edesign.report.drawing.style import MEAN, new_figure, styled
+from edesign.report.drawing.panels import arrangement
+from edesign.report.drawing.style import MEAN, styled
 from edesign.report.response.directions import strong_axes
 from edesign.report.response.histories import (
     History,
@@ -228,14 +229,16 @@ def hinge_figure(frame: Elevation, panels: Sequence[Hinges], scale: Scale = ROTA
     """
     from matplotlib.lines import Line2D
 
-    ratio = frame.width / frame.height
-    height = min(3.9, 3.0 / ratio)
-    width = max(1.5, height * ratio) + 0.3
-    figure, axes = new_figure(1, len(panels), width * len(panels), height + 0.7)
     lines = frame.lines
+    places = [end for line in lines.values() for end in line]
+    arranged = arrangement(len(panels), *zip(*places, strict=True), 1.08 * frame.width, 1.08 * frame.height)
+    figure, axes = arranged.figure()
     offset = OFFSET * frame.bay
-    for axis, panel in zip(axes[0], panels, strict=True):
+    for axis in axes[len(panels) :]:
+        axis.set_visible(False)
+    for axis, panel in zip(axes, panels, strict=False):
         frame.draw(axis, panel.dampers, panel.isolated)
+        arranged.scale(axis)
         for (member, end), value in panel.values.items():
             rank = scale.rank(value)
             if rank and member in lines:
@@ -244,12 +247,12 @@ def hinge_figure(frame: Elevation, panels: Sequence[Hinges], scale: Scale = ROTA
                 x, y = (a + share * (b - a) for a, b in zip(near, far, strict=True))
                 style: Any = {"ms": SIZES[rank - 1], "mfc": COLORS[rank - 1], "mec": MEAN, "mew": 0.5}
                 axis.plot(x, y, marker="o", ls="none", zorder=3, gid=f"hinge {member} {end} class {rank}", **style)
-        axis.set_title(panel.title, loc="left")
+        arranged.title(axis, panel.title)
     handles = [
         Line2D([], [], marker="o", ls="none", ms=size, mfc=color, mec=MEAN, mew=0.5, label=label)
         for size, color, label in zip(SIZES, COLORS, scale.names[1:], strict=True)
     ]
-    figure.legend(handles=handles, loc="outside lower center", ncols=4 if width * len(panels) > 4.0 else 2)
+    figure.legend(handles=handles, loc="outside lower center", ncols=4 if figure.get_figwidth() > 4.0 else 2)
     engine = figure.get_layout_engine()
     assert engine is not None
     engine.execute(

@@ -15,7 +15,10 @@ if TYPE_CHECKING:
 
     from edesign.report.motion.scenes import Scene
 
-LARGEST = 400_000  # characters of a viewer's data, beyond which it has every second picture only, every third, ...
+LARGEST = (
+    100_000  # characters of the data of a variant, beyond which there is every second picture only, every third, ...
+)
+LEAST = 400_000  # of a viewer, that few variants may have together
 
 
 def motion(source: Source) -> Section:
@@ -50,7 +53,8 @@ def _text(scene: Scene) -> str:
     from edesign.report.motion.encoding import scene_text
 
     text, every = scene_text(scene), 1
-    while len(text) > LARGEST and every < len(scene.time) // 2:
+    most = max(LEAST, LARGEST * len(scene.variants))
+    while len(text) > most and every < len(scene.time) // 2:
         every += 1
         text = scene_text(scene.thinned(every))
     return text
