@@ -19,6 +19,9 @@ Point = tuple[float, float]
 Line = tuple[Point, Point]
 STEEL, DAMPER = "#8a8f98", "#3aa08f"
 GAP = 0.025  # from the base of an isolated frame to the middle of its isolators, of its height
+MARGIN = 0.06  # below and above the frame, of its height
+SMALL, SOFT = 6.0, "#5a5f66"  # points and colour of the names of axes
+LONG_NAME = 2  # letters of a column line, beyond which names stand upright
 SUPPORTS = {"fixed": "s", "pinned": "^", "roller": "o", "springs": "D", "footing": "D"}  # their markers
 _SHAPES = {"V": "chevron", "R": "rising", "F": "falling", "S": "storey"}
 
@@ -149,11 +152,31 @@ def draw_to_scale(
     for line, x, kind in bases:
         if kind and names.isolator_name(line) not in of_base:
             axes.plot(x, 0.0, marker=SUPPORTS[kind], ms=5.0, mfc="white", mec=MEAN, mew=0.7, zorder=2, clip_on=False)
-    margin = 0.04 * max(elevation.width, elevation.height)
+    aside = 0.04 * max(elevation.width, elevation.height)
+    upwards = min(aside, MARGIN * elevation.height)
     axes.set_aspect("equal")
-    axes.set_xlim(-margin, right + margin)
-    axes.set_ylim(-margin - 2.0 * below, elevation.height + margin)
+    axes.set_xlim(-aside, right + aside)
+    axes.set_ylim(-upwards - 2.0 * below, elevation.height + upwards)
     axes.set_axis_off()
+    name_axes(
+        axes, [(line, x) for line, x, _ in bases], sorted({y for ends in elevation.lines.values() for _, y in ends})
+    )
+
+
+def name_axes(axes: Axes, lines: Sequence[tuple[str, float]], levels: Sequence[float]) -> None:
+    """Write the names of column lines below an elevation, and the numbers of its floors at the left.
+
+    Args:
+        axes: in m, with its limits set.
+        lines: names and places, m.
+        levels: of the base and the floors, m.
+    """
+    turned = 90.0 if any(len(name) > LONG_NAME for name, _ in lines) else 0.0
+    low, left = axes.get_ylim()[0], axes.get_xlim()[0]
+    for name, x in lines:
+        axes.text(x, low, name, ha="center", va="top", fontsize=SMALL, color=SOFT, rotation=turned)
+    for floor, y in enumerate(levels):
+        axes.text(left, y, str(floor), ha="right", va="center", fontsize=SMALL, color=SOFT)
 
 
 def straight_damper(start: Point, end: Point) -> DamperDrawing:

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 UNMOVED = "#c9ced6"
 TUNED = "#7b3f98"
 MARGIN = 0.04  # of the larger side of the frame
+MARGIN_UPWARDS = 0.06  # of its height, at most
 
 
 @styled
@@ -37,8 +38,9 @@ def still_figure(scene: Scene) -> Figure:
     wide, high = (float(size) for size in np.ptp(places, axis=0))
     scale, margin = fitting_scale(scene), MARGIN * max(wide, high)
     aside = scale * max(one.at(np.array([scene.peak])).reach for one in scene.variants) + margin
-    bottom = min(one.geometry.ground for one in scene.variants) - margin
-    top = places[:, 1].max() + margin
+    upwards = min(margin, MARGIN_UPWARDS * high)
+    bottom = min(one.geometry.ground for one in scene.variants) - upwards
+    top = places[:, 1].max() + upwards
     of_all = wide + 2.0 * aside, top - bottom
     arranged = arrangement(len(scene.variants), places[:, 0].tolist(), places[:, 1].tolist(), *of_all)
     figure, axes = arranged.figure()

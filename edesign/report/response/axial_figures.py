@@ -12,7 +12,7 @@ from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.assess.changes import EQUILIBRIUM
 from edesign.report.drawing.captions import at_level, file_name, plain
-from edesign.report.drawing.style import MEAN, grid_figure, label_outer, legend_label, some_of, styled
+from edesign.report.drawing.style import MEAN, grid_figure, label_outer, legend_below, legend_label, some_of, styled
 from edesign.report.response.histories import (
     History,
     by_level,
@@ -31,6 +31,9 @@ if TYPE_CHECKING:
 
 FORCE = "column_axial_force"
 COLUMNS = 4
+MOST, FIRST = 12, 8
+"""Column lines of a figure; of more than `MOST` so many are shown first: two rows, which stand on half a sheet."""
+STOREY = 0.3  # inches, of a panel at least
 PITCH = 0.72  # of a storey, over which its bars are spread
 Place = tuple[str, int]  # line, storey
 
@@ -72,7 +75,27 @@ def axial_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
             caption = (
                 f"Axial forces of the columns{at_level(level)}, tension positive, gravity included. {_numbers(found)}"
             )
-            yield file_name("axial", level), f"{caption}{counts}{missing}", axial_figure(found, gravity)
+            first, others = _lines(found)
+            which = f" The {len(first)} of {len(first) + len(others)} lines whose forces differ most." if others else ""
+            yield file_name("axial", level), f"{caption}{which}{counts}{missing}", axial_figure(found, gravity, first)
+            for number, start in enumerate(range(0, len(others), MOST), 1):
+                lines = others[start : start + MOST]
+                said = f"Axial forces of the columns{at_level(level)}, lines {', '.join(lines)}."
+                yield file_name("axial", level, f"others{number}"), said, axial_figure(found, gravity, lines)
+
+
+def _lines(variants: Sequence[AxialForces]) -> tuple[list[str], list[str]]:
+    """The column lines that are shown first, those with the widest range of forces of many, and the others."""
+    lines = list(dict.fromkeys(line for line, _ in variants[0].smallest))
+    if len(lines) <= MOST:
+        return lines, []
+    ranges = dict.fromkeys(lines, 0.0)
+    for one in variants:
+        for place, values in one.smallest.items():
+            width = float(np.mean(one.largest[place]) - np.mean(values))
+            ranges[place[0]] = max(ranges[place[0]], width)
+    first = sorted(lines, key=lambda line: -ranges[line])[:FIRST]
+    return [line for line in lines if line in first], [line for line in lines if line not in first]
 
 
 def _gravity_forces(archive: Archive) -> dict[Place, float]:
@@ -87,24 +110,26 @@ def _gravity_forces(archive: Archive) -> dict[Place, float]:
 
 
 @styled
-def axial_figure(variants: Sequence[AxialForces], gravity: Mapping[Place, float]) -> Figure:
+def axial_figure(variants: Sequence[AxialForces], gravity: Mapping[Place, float], lines: Sequence[str] = ()) -> Figure:
     """Draw the range of the axial force of each column: the mean over records as a bar, the extremes as a thin line.
 
     Args:
         variants: at least one.
         gravity: axial forces that are marked, N; may be empty.
+        lines: that are shown; (): all.
     """
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
 
     places = list(variants[0].smallest)
-    lines = list(dict.fromkeys(line for line, _ in places))
+    lines = lines or list(dict.fromkeys(line for line, _ in places))
     storeys = sorted({storey for _, storey in places})
-    figure, cells = grid_figure(len(lines), COLUMNS, 1.75, 3.1)
+    high = min(3.1, max(2.0, STOREY * len(storeys)))
+    figure, cells = grid_figure(len(lines), COLUMNS, 1.6, high)
     thick = PITCH / len(variants)
     low = min(float(np.min(values)) for one in variants for values in one.smallest.values())
-    high = max(float(np.max(values)) for one in variants for values in one.largest.values())
-    margin = 0.04e-3 * (high - low) or 1.0
+    most = max(float(np.max(values)) for one in variants for values in one.largest.values())
+    margin = 0.04e-3 * (most - low) or 1.0
     for axis, line in zip(cells, lines, strict=True):
         axis.axvline(0.0, color=MEAN, lw=0.6, zorder=0.9)
         for place in (one for one in places if one[0] == line):
@@ -120,7 +145,7 @@ def axial_figure(variants: Sequence[AxialForces], gravity: Mapping[Place, float]
                 level = 1e-3 * gravity[place]
                 axis.plot((level, level), (place[1] - 0.45, place[1] + 0.45), color=MEAN, lw=1.3)
         axis.set_title(f"line {line}", loc="left")
-        axis.set_xlim(1e-3 * low - margin, max(1e-3 * high, 0.0) + margin)
+        axis.set_xlim(1e-3 * low - margin, max(1e-3 * most, 0.0) + margin)
         axis.set_ylim(storeys[0] - 0.6, storeys[-1] + 0.6)
         axis.set_yticks(some_of(storeys))
         axis.locator_params(axis="x", nbins=4)
@@ -135,7 +160,7 @@ def axial_figure(variants: Sequence[AxialForces], gravity: Mapping[Place, float]
     if gravity:
         handles.append(Line2D([], [], color=MEAN, lw=1.3, marker="|", ms=9.0, ls="none", mew=1.3, label="gravity"))
     if handles:
-        figure.legend(handles=handles, loc="outside lower center", ncols=len(handles))
+        legend_below(figure, handles, [str(handle.get_label()) for handle in handles], len(handles))
     return figure
 
 

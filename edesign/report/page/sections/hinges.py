@@ -33,6 +33,10 @@ def hinges(source: Source) -> Section:
     )
     tables = (*hinge_tables(source.groups), *ground_tables(source.groups))
     axial = source.pictures(axial_figures)
+    more = [one for one in axial if "_others" in one.name]
+    axial = tuple(one for one in axial if one not in more)
+    if more:
+        folded.append(Folded(f"Axial forces of the other column lines ({len(more)})", tuple(more)))
     parts = (*tables, *headed((*pictures, *axial), source.levels), *folded)
     return Section("hinges", "Plastic hinges and columns", (), parts)
 
