@@ -31,6 +31,7 @@ from edesign.report.page.source import Source
 
 SECTIONS: tuple[Callable[[Source], Section], ...] = (
     summary,
+    checks,
     model,
     assumptions,
     warnings,
@@ -50,7 +51,6 @@ SECTIONS: tuple[Callable[[Source], Section], ...] = (
     temperature,
     derived,
     incremental,
-    checks,
     provenance,
 )
 """In the order of the page; those without content are left out."""

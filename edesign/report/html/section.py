@@ -114,6 +114,7 @@ class Section:
         intro: paragraphs above its parts.
         parts: in the order in which they are shown.
         notes: lines below.
+        aside: whether its figures are of single records or members, which a printed report has in an appendix.
     """
 
     id: str
@@ -121,6 +122,7 @@ class Section:
     intro: tuple[str, ...] = ()
     parts: tuple[Part, ...] = field(default=())
     notes: tuple[str, ...] = ()
+    aside: bool = False
 
     def __bool__(self) -> bool:
         """Whether there is anything in it."""

@@ -1,11 +1,11 @@
-"""What of a page is printed: folded parts in appendices, or not at all."""
+"""What of a page is printed: folded parts and figures of single records in appendices, or not at all."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
-from edesign.report.html.section import Folded, Heading, Part, Section
+from edesign.report.html.section import Folded, Heading, Part, Picture, Section, Viewer
 
 LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
 
@@ -16,7 +16,7 @@ class Printed:
 
     Attributes:
         sections: with nothing folded in them; those of which nothing is left are out.
-        appendices: one for each section that had folded parts, in their order.
+        appendices: one for each section of which parts are printed later, in their order.
         left_out: the titles of sections that have more than what is printed, with how many parts.
     """
 
@@ -26,23 +26,28 @@ class Printed:
 
 
 def printed(sections: Iterable[Section], appendix: bool) -> Printed:
-    """Return the sections without their folded parts, which become appendices.
+    """Return the sections without their folded parts and figures of single records, which become appendices.
 
     Args:
         sections: of the page.
-        appendix: whether to print the folded parts as appendices.
+        appendix: whether to print the appendices.
     """
     kept, appendices, left_out = [], [], []
     for section in sections:
-        folded = [part for part in section.parts if isinstance(part, Folded)]
-        shown = replace(section, parts=_unfolded(section.parts))
+        later = [part for part in section.parts if _later(part, section)]
+        shown = replace(section, parts=_first(section))
         if shown:
             kept.append(shown)
-        if folded and appendix:
-            appendices.append(_appendix(section, folded))
-        elif folded:
-            left_out.append(f"{section.title} ({len(folded)})")
+        if later and appendix:
+            appendices.append(_appendix(section))
+        elif later:
+            left_out.append(f"{section.title} ({len(later)})")
     return Printed(tuple(kept), tuple(appendices), tuple(left_out))
+
+
+def _later(part: Part, section: Section) -> bool:
+    """Whether a part is printed in an appendix."""
+    return isinstance(part, Folded) or section.aside and isinstance(part, (Picture, Viewer))
 
 
 def appendix_number(index: int) -> str:
@@ -55,19 +60,26 @@ def appendix_number(index: int) -> str:
     return f"{LETTERS[letter]}{round_ or ''}"
 
 
-def _unfolded(parts: Sequence[Part]) -> tuple[Part, ...]:
-    """Parts without the folded ones, and without the headings that have nothing left below them."""
-    left = [part for part in parts if not isinstance(part, Folded)]
+def _first(section: Section) -> tuple[Part, ...]:
+    """The parts that are not printed later, without the headings that have nothing left below them."""
+    return _headed([part for part in section.parts if not _later(part, section)])
+
+
+def _headed(parts: Sequence[Part]) -> tuple[Part, ...]:
+    """Parts without headings that have nothing below them."""
     return tuple(
         part
-        for i, part in enumerate(left)
-        if not (isinstance(part, Heading) and (i + 1 == len(left) or isinstance(left[i + 1], Heading)))
+        for i, part in enumerate(parts)
+        if not (isinstance(part, Heading) and (i + 1 == len(parts) or isinstance(parts[i + 1], Heading)))
     )
 
 
-def _appendix(section: Section, folded: Sequence[Folded]) -> Section:
+def _appendix(section: Section) -> Section:
     parts: list[Part] = []
-    for part in folded:
-        parts += [Heading(part.summary)]
-        parts += [replace(part, summary="")] if part.text else part.parts
-    return Section(f"appendix-{section.id}", section.title, (), tuple(parts))
+    for part in section.parts:
+        if isinstance(part, Folded):
+            parts += [Heading(part.summary)]
+            parts += [replace(part, summary="")] if part.text else part.parts
+        elif isinstance(part, Heading) or _later(part, section):
+            parts.append(part)
+    return Section(f"appendix-{section.id}", section.title, (), _headed(parts))

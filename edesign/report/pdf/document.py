@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from importlib import resources
 from pathlib import Path
@@ -14,11 +15,13 @@ from edesign.archive.reader import DamagedArchive, read_archive
 from edesign.errors import InputError
 from edesign.report.archive.document import check_page_path, default_page_path, page_of
 from edesign.report.html.render import Page, fill_template
+from edesign.report.html.section import Folded, Part, Section
 from edesign.report.pdf.appendix import appendix_number, printed
-from edesign.report.pdf.fit import begins_wide, fit_table, picture_size
+from edesign.report.pdf.fit import begins_wide, fit_table, picture_size, upright
 from edesign.report.pdf.fonts import font_faces, fonts_folder
-from edesign.report.pdf.paper import MARGIN_BOTTOM, MARGIN_SIDE, MARGIN_TOP, PrintOptions
+from edesign.report.pdf.paper import MARGIN_BOTTOM, MARGIN_SIDE, MARGIN_TOP, Paper, PrintOptions
 from edesign.report.pdf.texts import begun_at_left
+from edesign.report.tables.table import Table
 from edesign.report.tables.visible import visible
 
 PDF_SUFFIXES = (".pdf",)
@@ -103,7 +106,8 @@ def print_text(page: Page, options: PrintOptions = DEFAULTS) -> str:
     Args:
         options: paper and appendices.
     """
-    paper, shown = options.paper, printed(page.sections, options.appendix)
+    paper = options.paper
+    shown = printed([_upright(section, paper) for section in page.sections], options.appendix)
     document = dict(page.cover.document)
     named = [f"{name} {document[name]}" for name in HEADED if name in document]
     clients = [document["Client"]] if "Client" in document else []  # last: a long one is cut
@@ -123,6 +127,20 @@ def print_text(page: Page, options: PrintOptions = DEFAULTS) -> str:
     }
     text = fill_template(page.cover, shown.sections, f"{font_faces()}\n{sheet}\n{css}", layout)
     return visible(begun_at_left(text))
+
+
+def _upright(section: Section, paper: Paper) -> Section:
+    """A section whose tables of numbers stand on upright sheets."""
+    parts: list[Part] = []
+    for part in section.parts:
+        if isinstance(part, Folded):
+            inside = [
+                one for item in part.parts for one in (upright(item, paper) if isinstance(item, Table) else [item])
+            ]
+            parts.append(replace(part, parts=tuple(inside)))
+        else:
+            parts += upright(part, paper) if isinstance(part, Table) else [part]
+    return replace(section, parts=tuple(parts))
 
 
 def _laid_out(text: str) -> bytes:

@@ -151,6 +151,8 @@ def _of_level(
         if statistic == "max" and all(len({h.of_motion for h in there}) == 1 for there in found.values()):
             continue
         panels = [_panel(variant, there, take) for variant, there in found.items()]
+        if statistic == "mean" and not _drawn(panels) and _drawn([_panel(v, of, np.max) for v, of in found.items()]):
+            continue  # the largest say more
         caption = f"{words} over the records of the peak plastic rotations of member ends{where}{at_level(level)}. "
         figure = hinge_figure(elevation.drawing, panels, ROTATION)
         said = f"{caption}{_numbers(panels)}{counts}{missing}"
@@ -170,6 +172,11 @@ def _of_level(
             f"{caption}{_counts(classes)}{counts}{missing}",
             figure,
         )
+
+
+def _drawn(panels: Sequence[Hinges]) -> bool:
+    """Whether a hinge is drawn in any of the elevations."""
+    return any(value >= ROTATION.limits[0] for panel in panels for value in panel.values.values())
 
 
 def acceptance(project: AnalysisFile, read: Mapping[History, Group]) -> dict[End, float]:

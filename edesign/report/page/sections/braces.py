@@ -13,4 +13,4 @@ def braces(source: Source) -> Section:
     table = brace_table(source.groups)
     tables: list[Part] = [table] if table.rows else []
     parts = (*tables, *source.pictures(brace_figures))
-    return Section("braces", "Braces that buckle", (), parts)
+    return Section("braces", "Braces that buckle", (), parts, aside=True)

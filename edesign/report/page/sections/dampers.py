@@ -22,4 +22,5 @@ def dampers(source: Source) -> Section:
     tables = restrained_tables(ordinary)
     several = len(tables) > ONE_SET
     braces = [Folded(t.title, (t,)) if several or len(t.rows) > MANY else t for t in tables]
-    return Section("dampers", "Dampers", (), (shown, *braces, *headed(source.pictures(damper_figures), source.levels)))
+    loops = headed(source.pictures(damper_figures), source.levels)
+    return Section("dampers", "Dampers", (), (shown, *braces, *loops), aside=True)

@@ -14,10 +14,13 @@ from edesign.report.response.frame_figures import frame_figures, plastic_rotatio
 from edesign.report.response.ground_tables import ground_tables
 from edesign.report.response.hinge_tables import hinge_tables
 
+JUDGED = "_acceptance"  # ends the names of hinge maps by performance levels
+
 
 def hinges(source: Source) -> Section:
     """Return the section on yielding members, hinges, joints, axial forces of columns, and supports, level by level.
 
+    Of a level at which hinges are judged by performance levels, the maps of their rotations are shown on demand.
     Of a building the frames along x and along y with the largest plastic rotation are shown, and the others on demand.
     """
     pictures = source.pictures(frame_figures)
@@ -32,6 +35,13 @@ def hinges(source: Source) -> Section:
         [Folded(f"Plastic hinges of the other frames ({len(others)})", tuple(others))] if others else []
     )
     tables = (*hinge_tables(source.groups), *ground_tables(source.groups))
+    judged = {one.name.removesuffix(JUDGED) for one in pictures if one.name.endswith(JUDGED)}
+    plain = [one for one in pictures if one.name.rpartition("_")[0] in judged and not one.name.endswith(JUDGED)]
+    pictures = tuple(one for one in pictures if one not in plain)
+    if plain:
+        folded.append(
+            Folded(f"Plastic rotations in mrad, mean and largest of the records ({len(plain)})", tuple(plain))
+        )
     axial = source.pictures(axial_figures)
     more = [one for one in axial if "_others" in one.name]
     axial = tuple(one for one in axial if one not in more)

@@ -26,7 +26,7 @@ def histories(source: Source) -> Section:
         parts.append(Folded(f"The other records{f', {level}' if level else ''}", _others(pictures, shown)))
     intro = "Shown are the records with the largest interstorey drift of each variant."
     folded = any(isinstance(part, Folded) for part in parts)
-    return Section("histories", "Response over time", (intro,) if folded else (), tuple(parts))
+    return Section("histories", "Response over time", (intro,) if folded else (), tuple(parts), aside=True)
 
 
 def governing(source: Source, level: str) -> list[str]:

@@ -10,4 +10,4 @@ from edesign.report.response.moment_rotation_figures import moment_rotation_figu
 def moment_rotation(source: Source) -> Section:
     """Return the section with the loops of both ends of each recorded member, variants overlaid."""
     pictures = source.pictures(moment_rotation_figures)
-    return Section("moment-rotation", "Moment and rotation", (), tuple(headed(pictures, source.levels)))
+    return Section("moment-rotation", "Moment and rotation", (), tuple(headed(pictures, source.levels)), aside=True)

@@ -45,7 +45,7 @@ def motion(source: Source) -> Section:
         parts += [Heading(scene.level or "All levels")] if len(found) > 1 else []
         parts.append(Viewer(picture, _text(scene), scene.in_space))
     what = "building" if any(scene.in_space for scene in found.values()) else "frame"
-    return Section("motion", f"Motion of the {what}", (), tuple(parts))
+    return Section("motion", f"Motion of the {what}", (), tuple(parts), aside=True)
 
 
 def _text(scene: Scene) -> str:
