@@ -50,9 +50,10 @@ def building_drawings(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
     """
     from edesign.report.building.curves import mode_shapes, spectra, storey_curves
     from edesign.report.building.elevations import elevations
+    from edesign.report.building.force_diagrams import force_diagrams
     from edesign.report.building.model_figures import archived_building_model
 
-    drawn = (archived_building_model, spectra, mode_shapes, storey_curves, elevations)
+    drawn = (archived_building_model, spectra, mode_shapes, storey_curves, elevations, force_diagrams)
     yield from chain.from_iterable(figures(archive) for figures in drawn)
 
 

@@ -109,7 +109,7 @@ def worked_check(results: BuildingResults, member: int, check: int) -> WorkedChe
     name = str(results.values("members", "check")[check])
     trace, found = Trace(), None
     if combination:
-        forces = _forces(results, member, combination - 1)
+        forces = forces_along(results, member, combination - 1)
         place = results.values("members", "station")[member, check]
         station = int(np.abs(forces.stations - place).argmin())
         beam = _free_beam(results, member, combination - 1)
@@ -291,8 +291,13 @@ def _free_beam(results: BuildingResults, member: int, combination: int) -> FreeB
     return FreeBeam(float(span), load, bool(uniform))
 
 
-def _forces(results: BuildingResults, member: int, combination: int) -> ForcesAlong:
-    """The forces of a member under a combination."""
+def forces_along(results: BuildingResults, member: int, combination: int) -> ForcesAlong:
+    """Return the forces of a member under a combination.
+
+    Args:
+        member: number of the member, from 0.
+        combination: number of the combination, from 0.
+    """
     steady = np.tensordot(
         results.values("combinations", "static")[combination], results.values("forces", "static")[:, member], 1
     )

@@ -42,7 +42,7 @@ def elevations(archive: Archive) -> Iterator[Named]:
         Name of the file, caption and figure.
     """
     results = BuildingResults(archive)
-    for frame, alike in _different_frames(results):
+    for frame, alike in different_frames(results):
         others = f" {', '.join(alike)}: the same members, used less." if alike else ""
         caption = (
             f"Frame {frame}, members by their largest utilisation. Section and largest utilisation stand where a "
@@ -82,20 +82,20 @@ def hinges(results: BuildingValues, members: np.ndarray, least: float = 0.0) -> 
     return np.concatenate([(start + along)[at_start], (end - along)[at_end]])
 
 
-def _different_frames(results: BuildingResults) -> list[tuple[str, list[str]]]:
+def different_frames(results: BuildingResults) -> list[tuple[str, list[str]]]:
     """Return the plane frames that differ in sections, each the one that is used most, with those alike."""
     kind, section = (results.values("members", name) for name in ("kind", "section"))
-    worst = _use(results)
+    worst = largest_use(results)
     found: dict[tuple[str, ...], list[tuple[float, str]]] = {}
-    for frame, chosen in _of_frames(results).items():
+    for frame, chosen in frames_of(results).items():
         alike = (frame[0], *sorted(f"{kind[n]} {section[n]}" for n in chosen))
         found.setdefault(alike, []).append((-float(worst[chosen].max().round(9)), frame))
     ordered = [[frame for _, frame in sorted(frames)] for frames in found.values()]
     return [(frames[0], sorted(frames[1:])) for frames in ordered]
 
 
-def _of_frames(results: BuildingResults) -> dict[str, list[int]]:
-    """Numbers of the members of each plane frame."""
+def frames_of(results: BuildingResults) -> dict[str, list[int]]:
+    """Return the numbers of the members of each plane frame, from 0, by its name."""
     found: dict[str, list[int]] = {}
     for number, names in enumerate(results.values("members", "frame")):
         for name in filter(None, str(names).split(", ")):
@@ -103,13 +103,13 @@ def _of_frames(results: BuildingResults) -> dict[str, list[int]]:
     return {name: found[name] for name in sorted(found)}
 
 
-def _use(results: BuildingResults) -> np.ndarray:
-    """The largest utilisation of each member."""
+def largest_use(results: BuildingResults) -> np.ndarray:
+    """Return the largest utilisation of each member, (n_members,); 0 where no check applies."""
     return np.asarray(np.nan_to_num(results.values("members", "utilisation"), nan=0.0).max(axis=1))
 
 
 def _draw(sheet: Sheet, results: BuildingResults, frame: str) -> None:
-    chosen = np.array(_of_frames(results)[frame])
+    chosen = np.array(frames_of(results)[frame])
     along = 0 if frame.startswith("X") else 1
     lines = grid_lines(results)[along]
     levels = np.unique(results.values("nodes", "position")[:, _Z].round(6)).tolist()
@@ -117,7 +117,7 @@ def _draw(sheet: Sheet, results: BuildingResults, frame: str) -> None:
     draw_axes(sheet, grid)
     scale = np.array([grid.across, grid.up])
     starts, ends = (scale * results.values("members", name)[chosen][:, [along, _Z]] for name in ("start", "end"))
-    use = _use(results)[chosen]
+    use = largest_use(results)[chosen]
     lower = 0.0
     for upper, colour, _ in BANDS:
         within = (use <= upper) & ((use > lower) | (lower == 0.0))

@@ -90,7 +90,8 @@ class BuildingResults:
         self._groups: dict[str, Group] = {}
 
     @cached_property
-    def _building(self) -> Building | None:
+    def building(self) -> Building | None:
+        """The building, None where its file is not archived."""
         return archived_building(self.archive)
 
     def section(self, name: str) -> SteelSection:
@@ -99,7 +100,7 @@ class BuildingResults:
         Args:
             name: own section of the building, or one of the catalogue.
         """
-        return steel_section(name) if self._building is None else section_of(self._building, name)
+        return steel_section(name) if self.building is None else section_of(self.building, name)
 
     def has(self, name: str) -> bool:
         """Return whether a readable group is there."""

@@ -21,6 +21,7 @@ from edesign.report.building.deflection_table import deflection_table
 from edesign.report.building.foundation_table import foundation_table, reaction_table
 from edesign.report.building.lateral_tables import drifts_table, lateral_cases_table
 from edesign.report.building.results import MET, NOT_MET, BuildingResults, Row
+from edesign.report.building.steel_list import doublers_table, every_member_table, steel_list_table
 from edesign.report.tables.cell import Value
 from edesign.report.tables.column import bounded, col, count, formula, text, verdict
 from edesign.report.tables.number import finite, significant
@@ -357,6 +358,9 @@ TABLES: tuple[Make, ...] = (
     *(partial(storeys_table, axis=axis) for axis in AXES),
     criteria_table,
     groups_table,
+    steel_list_table,
+    doublers_table,
+    every_member_table,
     deflection_table,
     lateral_cases_table,
     drifts_table,
@@ -365,4 +369,4 @@ TABLES: tuple[Make, ...] = (
     combinations_table,
     verdict_table,
 )
-SHORT_TABLES: tuple[Make, ...] = (base_shear_table, groups_table, verdict_table)
+SHORT_TABLES: tuple[Make, ...] = (base_shear_table, groups_table, steel_list_table, verdict_table)

@@ -24,11 +24,13 @@ from edesign.report.building.curves import mode_shapes, spectra, storey_curves
 from edesign.report.building.deflection_table import deflection_table
 from edesign.report.building.elevations import elevations
 from edesign.report.building.facts import building_rows, design_rows
+from edesign.report.building.force_diagrams import force_diagrams
 from edesign.report.building.foundation_table import foundation_table, reaction_table
 from edesign.report.building.lateral_tables import drifts_table, lateral_cases_table
 from edesign.report.building.model_figures import archived_building_model
 from edesign.report.building.other_tables import other_tables
 from edesign.report.building.results import BuildingResults
+from edesign.report.building.steel_list import doublers_table, every_member_table, steel_list_table
 from edesign.report.building.tables import (
     base_shear_table,
     combinations_table,
@@ -142,6 +144,17 @@ def _warnings(source: Source, results: BuildingResults) -> Iterable[Part]:
     yield table if table.rows else Facts((("Warnings", NONE),))
 
 
+def _diagrams(source: Source, results: BuildingResults) -> Iterable[Part]:
+    pictures = source.pictures(force_diagrams)
+    if pictures:
+        yield Folded(f"Axial force, shear and moment of the frames ({len(pictures)})", pictures)
+
+
+def _every_member(source: Source, results: BuildingResults) -> Iterable[Part]:
+    table = every_member_table(results)
+    yield Folded(f"{table.title} ({len(table.rows)})", (table,))
+
+
 def _checks(source: Source, results: BuildingResults) -> Iterable[Part]:
     table = group_checks_table(results)
     yield Folded(f"{table.title} ({len(table.rows)})", (table,))
@@ -201,9 +214,12 @@ _SECTIONS: tuple[tuple[str, str, tuple[Parts, ...]], ...] = (
             _table(partial(groups_table, say=check_words)),
             _table(selection_table),
             _worked,
+            _diagrams,
+            _every_member,
             _table(deflection_table),
         ),
     ),
+    ("steel", "Steel list", (_table(steel_list_table), _table(doublers_table))),
     ("checks", "Checks of members", (_checks,)),
     ("capacity", "Rules and capacity design", tuple(map(_table, (criteria_table, overstrength_table, joints_table)))),
     ("foundations", "Foundations", (_table(reaction_table), _table(foundation_table))),

@@ -1,0 +1,198 @@
+"""The steel of a building as lists: sections with number, lengths and weight, doubler plates, and every member."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Iterator
+
+import numpy as np
+
+from edesign.codes.rule_check import first_of_largest
+from edesign.frame.sections.section_lists import family_of
+from edesign.project.building.design import DEFAULT_PRICE
+from edesign.report.building.check_table import check_words, use
+from edesign.report.building.results import MET, NOT_MET, BuildingResults
+from edesign.report.tables.cell import Quantity, Value
+from edesign.report.tables.column import col, count, text, verdict
+from edesign.report.tables.table import Table, TableSpec
+from edesign.report.tables.unit import KG, MM, ONE, M, T, Unit
+
+STEEL_LIST = TableSpec[dict[str, Value]](
+    "steel_list",
+    "Steel list",
+    (
+        text("kind"),
+        text("section"),
+        text("steel"),
+        count("number"),
+        text("each [m]", "each", broken=1),
+        col("length", M, form=".1f"),
+        col("kg/m", Unit("kg/m"), "per_metre", silent=True),
+        col("mass", T, digits=4),
+        col("cost", ONE, digits=5, optional=True),
+    ),
+    notes=(
+        "Lengths from node to node. Connections, splices, stiffeners and secondary beams are not in the list; weights "
+        "are the area of the section times the density of its steel.",
+    ),
+    keys=3,
+)
+DOUBLERS = TableSpec[dict[str, Value]](
+    "doubler_plates",
+    "Doubler plates of web panels",
+    (
+        text("column"),
+        col("thickness", MM, digits=3),
+        col("width", MM, digits=3),
+        col("height", MM, digits=3),
+        count("number"),
+        col("mass", KG, digits=4),
+        text("at", broken=1),
+    ),
+    notes=(
+        "One plate a panel (EN 1998-1, 6.6.3(6)); width between the fillets, height of the deepest beam at the joint. "
+        "What a plate reaches beyond (EN 1993-1-8, 6.2.6.1(11)) is not in its mass.",
+    ),
+)
+EVERY_MEMBER = TableSpec[dict[str, Value]](
+    "every_member",
+    "All members: largest use of each, and the check that governs it",
+    (
+        text("member"),
+        text("group"),
+        text("kind"),
+        text("section"),
+        col("length", M, digits=4),
+        col("use", ONE, digits=3),
+        verdict("verdict"),
+        text("check", broken=1),
+        count("combination"),
+        col("x / L", ONE, "x", form=".3g"),
+    ),
+    notes=("use: effect over resistance; combination: its number in the table of combinations; x / L: along it",),
+)
+_ENDS = ("start_node", "end_node", "start", "end")
+NAMED = 6  # joints with a doubler plate that are named in a row
+
+
+def steel_list_table(results: BuildingResults) -> Table:
+    """Return the sections of each kind of member with number, lengths, weight, and cost where the file has prices."""
+    names = ("kind", "section", "material", "length")
+    pieces: dict[tuple[str, str, str], Counter[float]] = {}
+    for kind, section, steel, length in zip(*(results.values("members", name) for name in names), strict=True):
+        pieces.setdefault((str(kind), str(section), str(steel)), Counter())[round(float(length), 3)] += 1
+    density = _densities(results)
+    rows: list[dict[str, Value]] = []
+    masses, costs = 0.0, 0.0
+    for (kind, section, steel), lengths in sorted(pieces.items(), key=lambda one: _order(*one[0])):
+        metres = sum(length * number for length, number in lengths.items())
+        per_metre = results.section(section).A * density[steel]
+        mass, price = per_metre * metres, _price(results, section)
+        masses, costs = masses + mass, costs + mass * (price or 0.0)
+        rows.append(
+            {
+                "kind": kind,
+                "section": section,
+                "steel": steel,
+                "number": lengths.total(),
+                "each": ", ".join(f"{number} x {length:.2f}" for length, number in sorted(lengths.items())),
+                "length": metres,
+                "per_metre": per_metre,
+                "mass": mass,
+                "cost": None if price is None else mass * price,
+            }
+        )
+    whole: dict[str, Value] = {"kind": "all", "number": sum(of.total() for of in pieces.values())}
+    whole |= dict.fromkeys(("section", "steel", "each", "length", "per_metre"), "")
+    whole |= {"mass": Quantity(masses, T, 4, beside=True), "cost": costs or None}
+    return STEEL_LIST.of([*rows, whole] if rows else [])
+
+
+def doublers_table(results: BuildingResults) -> Table:
+    """Return the doubler plates that the web panels need, alike ones together; no rows where none is needed."""
+    found: dict[tuple[str, str, float, float, float], list[str]] = {}
+    for node, section, steel, thickness, height in _doublers(results):
+        width = results.section(section).h - 2.0 * (results.section(section).tf + results.section(section).r)
+        found.setdefault((section, steel, round(thickness, 6), round(width, 6), round(height, 6)), []).append(node)
+    density = _densities(results)
+    rows: list[dict[str, Value]] = []
+    for (section, steel, thickness, width, height), nodes in sorted(found.items()):
+        volume = thickness * width * height
+        more = len(nodes) - NAMED
+        rows.append(
+            {
+                "column": section,
+                "thickness": thickness,
+                "width": width,
+                "height": height,
+                "number": len(nodes),
+                "mass": len(nodes) * volume * density[steel],
+                "at": ", ".join(nodes[:NAMED]) + (f" and {more} more" if more > 0 else ""),
+            }
+        )
+    return DOUBLERS.of(rows)
+
+
+def every_member_table(results: BuildingResults) -> Table:
+    """Return every member with the check that uses it most."""
+    rows: list[dict[str, Value]] = []
+    checks = [str(name) for name in results.values("members", "check")]
+    for member in results.rows("members", "member"):
+        ratios = np.asarray(member["utilisation"])
+        governs = first_of_largest(np.nan_to_num(ratios, nan=-1.0, posinf=np.inf))
+        applies, ratio = bool(member["combination"][governs]), float(ratios[governs])
+        row: dict[str, Value] = {name: member[name] for name in ("member", "group", "kind", "section", "length")}
+        row |= {"use": use(ratio) if applies else None, "check": check_words(checks[governs]) if applies else "none"}
+        row["verdict"] = (MET if ratio <= 1.0 else NOT_MET) if applies else None
+        row["combination"] = int(member["combination"][governs]) if applies else None
+        row["x"] = float(member["station"][governs]) if applies and not math.isnan(ratio) else None
+        rows.append(row)
+    return EVERY_MEMBER.of(rows)
+
+
+def _order(kind: str, section: str, steel: str) -> tuple[int, str, float, str]:
+    """Columns, beams, braces; families by name, and in each by size."""
+    kinds = ("column", "beam", "brace")
+    sizes = section.removeprefix(family_of(section)).replace("x", ".", 1).partition("x")[0]
+    size = float(sizes) if sizes.replace(".", "", 1).isdigit() else 0.0
+    return (kinds.index(kind) if kind in kinds else len(kinds), family_of(section), size, section + steel)
+
+
+def _densities(results: BuildingResults) -> dict[str, float]:
+    """The density of each steel, kg/m3."""
+    return {
+        str(name): float(density)
+        for name, density in zip(*(results.values("materials", of) for of in ("material", "density")), strict=True)
+    }
+
+
+def _price(results: BuildingResults, section: str) -> float | None:
+    """The price of a kilogram of a section; None where the file has none."""
+    design = results.building.design if results.building is not None else None
+    if design is None:
+        return None
+    prices = {name.upper(): price for name, price in design.select.prices.items()}
+    return prices.get(family_of(section), prices.get(DEFAULT_PRICE.upper()))
+
+
+def _doublers(results: BuildingResults) -> Iterator[tuple[str, str, str, float, float]]:
+    """Joint, section and steel of its column, thickness of the plate and height of the deepest beam, m, of each doubler."""
+    if not results.has("panels"):
+        return
+    columns: dict[str, tuple[str, str]] = {}
+    beams: dict[tuple[str, str], float] = {}
+    members = (results.values("members", of) for of in ("kind", "section", "material", *_ENDS))
+    for kind, section, steel, start, end, low, high in zip(*members, strict=True):
+        if kind == "column":
+            columns[str(end)] = str(section), str(steel)  # below the joint
+        elif kind == "beam":
+            axis = "x" if abs(high[0] - low[0]) > abs(high[1] - low[1]) else "y"
+            depth = results.section(str(section)).h
+            for node in (str(start), str(end)):
+                beams[node, axis] = max(depth, beams.get((node, axis), 0.0))
+    panels = (results.values("panels", of) for of in ("node", "axis", "doubler"))
+    for node, axis, thickness in zip(*panels, strict=True):
+        place = str(node), str(axis)
+        if thickness > 0.0 and place[0] in columns and place in beams:
+            yield place[0], *columns[place[0]], float(thickness), beams[place]
