@@ -71,8 +71,8 @@ def force_diagrams(archive: Archive) -> Iterator[Named]:
         for quantity in QUANTITIES:
             said = (
                 f"Frame {frame}, {quantity.symbol}: {quantity.words}, in {quantity.unit}. Under {under}, which governs "
-                f"{of}. Line: without the seismic action; band: with it in both senses. Written is the largest value of "
-                f"each section in a storey.{others}"
+                f"{of}. Line: without the seismic action; band: with it in both senses. Written is the "
+                f"largest value of each section in a storey.{others}"
             )
             draw = partial(_draw, results=results, frame=frame, combination=combination - 1, quantity=quantity)
             yield f"forces_{frame}_{quantity.symbol}", said, on_sheet(draw)

@@ -26,9 +26,9 @@ STEEL_LIST = TableSpec[dict[str, Value]](
         text("section"),
         text("steel"),
         count("number"),
-        text("each [m]", "each", broken=1),
+        text("each [m]", "each", name="each", broken=1),
         col("length", M, form=".1f"),
-        col("kg/m", Unit("kg/m"), "per_metre", silent=True),
+        col("kg/m", Unit("kg/m"), "per_metre", name="weight", silent=True),
         col("mass", T, digits=4),
         col("cost", ONE, digits=5, optional=True),
     ),
@@ -177,7 +177,7 @@ def _price(results: BuildingResults, section: str) -> float | None:
 
 
 def _doublers(results: BuildingResults) -> Iterator[tuple[str, str, str, float, float]]:
-    """Joint, section and steel of its column, thickness of the plate and height of the deepest beam, m, of each doubler."""
+    """Joint, section and steel of its column, thickness of the plate and depth of the deepest beam, m."""
     if not results.has("panels"):
         return
     columns: dict[str, tuple[str, str]] = {}

@@ -51,7 +51,7 @@ def results(ran: tuple[Path, ElasticDesign]) -> Iterator[BuildingResults]:
 def test_the_page_has_all_sections_and_figures(ran: tuple[Path, ElasticDesign]) -> None:
     page = page_text(ran[0])
     anchors = re.findall(r'<section id="([a-z-]+)"', page)
-    expected = "building model assumptions warnings structure action natural-modes storeys members checks capacity"
+    expected = "building model assumptions warnings structure action natural-modes storeys members steel checks capacity"
     assert anchors == [*expected.split(), "foundations", "others", "combinations", "provenance"]
     figures = re.findall(r'<figure class="picture" id="figure-([A-Za-z0-9_]+)"', page)
     assert figures[0].startswith("model_")
@@ -135,7 +135,7 @@ def test_figures_are_drawn_as_files(results: BuildingResults) -> None:
     first = names.index("building_spectra")  # the model stands before
     assert "plan_1" in names[:first] and all(name.startswith(("model_", "plan_")) for name in names[:first])
     assert names[first : first + 3] == ["building_spectra", "building_modes", "building_storeys"]
-    assert {name.rpartition("_")[0] for name in names[first + 3 :]} == {"elevation"}
+    assert {name.partition("_")[0] for name in names[first + 3 :]} == {"elevation", "forces"}
 
 
 def test_plans_of_storeys_that_are_alike_are_one(results: BuildingResults) -> None:
