@@ -7,7 +7,7 @@ import shlex
 from collections.abc import Callable
 from pathlib import Path
 from types import TracebackType
-from typing import TypeVar
+from typing import Self, TypeVar
 
 from edesign.archive.dataset import Group, StoredVariable, Unread, Variable
 from edesign.archive.files import reason
@@ -70,7 +70,7 @@ class Archive:
             self.close()
             raise
 
-    def __enter__(self) -> Archive:
+    def __enter__(self) -> Self:
         return self
 
     def __exit__(

@@ -4,7 +4,7 @@
 form of an effect, `problems.py` what problems have in common. These are `dampers`, tests of dampers, `properties`,
 tables of their moduli, and `structures`, records of buildings; `residual` is what a model leaves of tests. Parameters,
 priors and fits are those of `estimation`. `results` makes of what a search found what the user gets. `campaign.py`
-reads any campaign: `load(path)`; `run.py` calibrates by it: `calibrate(campaign)`; `write.py` makes the files.
+reads any campaign: `load_campaign(path)`; `run.py` calibrates by it: `calibrate(campaign)`; `write.py` makes the files.
 """
 
 from __future__ import annotations

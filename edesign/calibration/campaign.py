@@ -7,7 +7,7 @@ from pathlib import Path
 from edesign.calibration.properties.campaign import KEY, PropertyCampaign, load_property_campaign
 from edesign.calibration.structures.campaign import StructureCampaign, load_structure_campaign
 from edesign.damper.testing.campaign import Campaign as DamperCampaign
-from edesign.damper.testing.campaign import load_campaign
+from edesign.damper.testing.campaign import load_campaign as load_damper_campaign
 from edesign.project.reading.yaml_file import read_yaml_text
 from edesign.project.reading.yaml_nodes import parse
 
@@ -15,7 +15,7 @@ Campaign = DamperCampaign | PropertyCampaign | StructureCampaign
 """Its class says what was measured."""
 
 
-def load(path: Path | str) -> Campaign:
+def load_campaign(path: Path | str) -> Campaign:
     """Read and check a campaign file, and the tests, records or table that it names.
 
     Args:
@@ -28,4 +28,4 @@ def load(path: Path | str) -> Campaign:
     root, _ = parse(read_yaml_text(Path(path), "campaign file"))
     if root.child(KEY) is not None:
         return load_property_campaign(path)
-    return load_structure_campaign(path) if root.child("structure") is not None else load_campaign(path)
+    return load_structure_campaign(path) if root.child("structure") is not None else load_damper_campaign(path)

@@ -6,7 +6,7 @@ import time as clock
 from dataclasses import replace
 from pathlib import Path
 
-from edesign.calibration.campaign import Campaign, DamperCampaign, load
+from edesign.calibration.campaign import Campaign, DamperCampaign, load_campaign
 from edesign.calibration.dampers.from_campaign import damper_problem
 from edesign.calibration.properties.campaign import PropertyCampaign
 from edesign.calibration.properties.from_campaign import property_problem
@@ -63,7 +63,7 @@ def calibrate(
     """
     begin = clock.perf_counter()
     if isinstance(campaign, Path | str):
-        campaign = load(campaign)
+        campaign = load_campaign(campaign)
     if isinstance(campaign, DamperCampaign):
         campaign = with_fitted_law(campaign, threads, progress)
         progress("preparing the tests")

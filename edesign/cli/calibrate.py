@@ -53,7 +53,7 @@ def calibrate(
 ) -> None:
     """Predict measured tests, find what the law or structure lacks, add it, and report errors before and after."""
     from edesign.archive.files import try_folder
-    from edesign.calibration.campaign import load
+    from edesign.calibration.campaign import load_campaign
     from edesign.calibration.run import calibrate as run
     from edesign.calibration.run import notes_of
     from edesign.calibration.search.settings import SETTINGS
@@ -78,7 +78,7 @@ def calibrate(
             progress_line(progress_text(f"{time.monotonic() - begin:6.1f} s  ", what, sys.stderr))
 
     progress("reading the tests")
-    loaded = load(campaign)
+    loaded = load_campaign(campaign)
     for note in notes_of(loaded):
         progress(note)
     check_files(loaded, folder, overwrite)

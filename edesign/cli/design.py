@@ -8,7 +8,6 @@ from typing import Annotated
 
 import typer
 
-from edesign.archive.files import check_own_yaml, write_yaml
 from edesign.cli.shared.stages import in_stages
 from edesign.cli.shared.streams import progress_line
 from edesign.frame.building_file import load_building
@@ -16,11 +15,7 @@ from edesign.optional_stages import optional
 from edesign.report.building.selection_tables import selection_tables
 from edesign.report.tables.text import print_tables
 from edesign.report.tables.visible import visible_line
-from edesign.space.selection.archived import selection_group
-from edesign.space.selection.select import select_sections
-from edesign.study.run.building import check_building_archive, write_building
-
-NAME = "designed.yaml"
+from edesign.study.run.building import DESIGNED, design_building
 
 
 def design(
@@ -28,7 +23,7 @@ def design(
     output: Annotated[
         Path | None,
         typer.Option(
-            "--output", "-o", metavar="FILE", help=f"The building file to write; by default {NAME} beside it."
+            "--output", "-o", metavar="FILE", help=f"The building file to write; by default {DESIGNED} beside it."
         ),
     ] = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace a file that is of something else.")] = False,
@@ -44,15 +39,8 @@ def design(
         if not quiet:
             progress_line(visible_line(line))
 
-    path = building.with_name(NAME) if output is None else output
     read = load_building(building)
-    check_own_yaml(path, building, overwrite)
-    archive = path.with_suffix(".h5")
-    check_building_archive(read, path, archive, overwrite)
-    found = in_stages(lambda stage: select_sections(read, progress, workers), quiet)
-    said = f"# Sections chosen: {found.mass / 1e3:.1f} t of steel, {found.evaluations} designs analysed.\n"
-    write_yaml(said + found.building.text, path, building)
-    write_building(load_building(path), found.design, archive, selection_group(found))
+    path, archive, found = in_stages(lambda stage: design_building(read, output, overwrite, workers, progress), quiet)
     if not quiet:
         with optional("the tables", f"{path} and {archive} are written"):
             print_tables(selection_tables(found))

@@ -43,6 +43,9 @@ def action_of(hazard: Hazard) -> SeismicAction:
 def checked_hazard(project: AnalysisFile) -> Hazard:
     """Return the hazard of a project or building after checking everything that its code has to say.
 
+    Args:
+        project: from `load_project` or `load_building`.
+
     Raises:
         InputError: it has no hazard, or names a country, zone or parameter that does not exist or fit; the
             message names the place in the file.

@@ -6,6 +6,7 @@ import os
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -35,13 +36,27 @@ from edesign.substructure.virtual_tests import TestResults, VirtualLaboratory
 _CSV = "the CSV file of a run"
 
 
+class RtsRun(NamedTuple):
+    """The virtual tests of a file that were run.
+
+    Attributes:
+        archive: with all of them.
+        tests: results of real-time tests, test by test.
+        methods: results of tests by other methods.
+    """
+
+    archive: Path
+    tests: tuple[TestResults, ...]
+    methods: tuple[MethodResults, ...]
+
+
 def run_tests(
     file: RtsFile,
     archive_path: str | os.PathLike[str] | None = None,
     overwrite: bool = False,
     progress: Callable[[str], None] = lambda line: None,
     csv_folder: Path | None = None,
-) -> tuple[Path, tuple[TestResults, ...], tuple[MethodResults, ...]]:
+) -> RtsRun:
     """Run all virtual tests of a file, and archive them.
 
     Args:
@@ -52,7 +67,7 @@ def run_tests(
         csv_folder: where each run is written as CSV as well; made if it does not exist.
 
     Returns:
-        The archive, the results test by test, and those of tests by other methods.
+        Where the archive is, and the results.
 
     Raises:
         InputError: structure, law, compensator or record cannot be used so; two CSV files would have one name.
@@ -61,8 +76,8 @@ def run_tests(
 
     Examples:
         >>> file = edesign.load_rts_file(edesign.new_project("rts", kind="substructure"))
-        >>> archive, results, _ = edesign.run_tests(file)
-        >>> archive.name, {run.outcome for run in results[0].runs}
+        >>> done = edesign.run_tests(file)
+        >>> done.archive.name, {run.outcome for run in done.tests[0].runs}
         ('rts.h5', {'done'})
     """
     file.check_unchanged()
@@ -111,7 +126,7 @@ def run_tests(
             writer.close()
             writer.partial.unlink(missing_ok=True)
             raise
-    return path, tuple(found), tuple(others)
+    return RtsRun(path, tuple(found), tuple(others))
 
 
 def _asked(laboratory: VirtualLaboratory, results: TestResults) -> TestResults:

@@ -88,6 +88,7 @@ def read_record_file(
     """Read a record from a file.
 
     Args:
+        path: of the file, in any format of records.
         file_format: one of FORMATS; found from the content, and failing that from the suffix, by default.
         acceleration_unit: of tables and SAC files, which do not say it: "g", "m/s^2", "cm/s^2", "mm/s^2", or "g/10".
         time_step: s; of tables without a column of times.

@@ -5,22 +5,55 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import NamedTuple
 
 from edesign.archive.dataset import Group
-from edesign.archive.files import source_file
+from edesign.archive.files import check_own_yaml, source_file, write_yaml
 from edesign.archive.owner import check_owner
 from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter
 from edesign.errors import ArchiveError
+from edesign.frame.building_file import load_building
 from edesign.one_thread import one_thread
 from edesign.optional_stages import optional
 from edesign.project.building.building import Building
 from edesign.space.archived import PLACE, SELECTION, groups
 from edesign.space.check import building_warnings
 from edesign.space.elastic_design import ElasticDesign, elastic_design
+from edesign.space.selection.archived import selection_group
+from edesign.space.selection.select import Selection, select_sections
 from edesign.study.results.provenance import circumstances, root_group
 from edesign.study.results.warnings import ATTRIBUTE
 from edesign.study.run.state import RunState
+
+DESIGNED = "designed.yaml"
+"""File that a building with chosen sections is written to, beside that of the building."""
+
+
+class BuildingRun(NamedTuple):
+    """The elastic design of a building that was run.
+
+    Attributes:
+        archive: with all results.
+        design: forces, displacements and checks, SI.
+    """
+
+    archive: Path
+    design: ElasticDesign
+
+
+class BuildingChoice(NamedTuple):
+    """A building whose sections were chosen.
+
+    Attributes:
+        file: the building file with the sections.
+        archive: of its design, and of how the sections were chosen.
+        selection: the sections of the groups, their masses (kg) and what governs them.
+    """
+
+    file: Path
+    archive: Path
+    selection: Selection
 
 
 def run_building(
@@ -28,7 +61,7 @@ def run_building(
     archive_path: str | os.PathLike[str] | None = None,
     overwrite: bool = False,
     progress: Callable[[str], None] = lambda stage: None,
-) -> tuple[Path, ElasticDesign]:
+) -> BuildingRun:
     """Analyse and check a building, and archive the results.
 
     Args:
@@ -38,7 +71,7 @@ def run_building(
         progress: called with the name of each stage at its beginning.
 
     Returns:
-        The archive, and the design.
+        Where the archive is, and the design.
 
     Raises:
         InputError: the file lacks something that the design needs, or the values are not those of its text.
@@ -52,21 +85,43 @@ def run_building(
     design = elastic_design(building, progress)
     progress(f"writing {path}")
     write_building(building, design, path, selection)
-    return path, design
+    return BuildingRun(path, design)
 
 
-def check_building_archive(building: Building, file: Path, path: Path, overwrite: bool) -> None:
-    """Refuse an archive of something else at a path, where that of the building is to be written.
+def design_building(
+    building: Building,
+    output: str | os.PathLike[str] | None = None,
+    overwrite: bool = False,
+    workers: int = 1,
+    progress: Callable[[str], None] = lambda line: None,
+) -> BuildingChoice:
+    """Choose the lightest sections of a building that meet all checks, and write its file with them, and its archive.
 
     Args:
-        building: with the title.
-        file: the building file that the archive will be of.
-        overwrite: True replaces the archive of something else too.
+        building: from `load_building`, with the lists `design: select`.
+        output: the building file to write; by default `designed.yaml` beside that of the building.
+        overwrite: True replaces files that are of something else too.
+        workers: processes that analyse at the same time; the choice does not depend on them.
+        progress: called with a line for each step of the search.
+
+    Returns:
+        Where file and archive are, and the sections.
 
     Raises:
-        ArchiveError: the archive is that of something else.
+        InputError: a list is wrong, or none of its sections meet all checks; the message says which check stands in
+            the way.
+        CoreError: the structure is a mechanism.
+        ArchiveError: a file cannot be written, or is that of something else.
     """
-    check_owner(path, _root(building, file, path), overwrite)
+    path = building.path.with_name(DESIGNED) if output is None else Path(output)
+    archive = path.with_suffix(".h5")
+    check_own_yaml(path, building.path, overwrite)
+    check_owner(archive, _root(building, path, archive), overwrite)
+    found = select_sections(building, progress, workers)
+    said = f"# Sections chosen: {found.mass / 1e3:.1f} t of steel, {found.evaluations} designs analysed.\n"
+    write_yaml(said + found.building.text, path, building.path)
+    write_building(load_building(path), found.design, archive, selection_group(found))
+    return BuildingChoice(path, archive, found)
 
 
 def write_building(building: Building, design: ElasticDesign, path: Path, selection: Group | None = None) -> None:
