@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +15,7 @@ from edesign.archive.reader import open_archive
 from edesign.frame.project_file import load_study
 from edesign.report.archive.study_tables import study_tables
 from edesign.report.assessment.verdict_data import study_verdicts
+from edesign.report.assessment.vary_figures import vary_figures
 from edesign.report.html.section import Picture
 from edesign.report.page.sections.derived import derived
 from edesign.report.page.source import Source
@@ -123,3 +125,34 @@ def test_tables_and_figures_reach_the_report(archive: Path) -> None:
     assert len(tables) == 3 and max(map(len, stream.getvalue().splitlines())) <= 80
     names = [part.name for part in parts if isinstance(part, Picture)]
     assert names == ["figure-vary_c_damped_DBE", "figure-vary_brace_damped_DBE"] and not source.left_out
+
+
+def test_a_grid_has_a_row_for_each_combination_and_a_curve_for_each_other_value(folder: Path) -> None:
+    places = {
+        "dampers.laws.fluid.parameters.c": ["40 kN*s/m", "600 kN*s/m"],
+        "materials.S275.E": ["200 GPa", "210 GPa"],
+    }
+    study = load_study(folder / "sweep.yaml").with_values(
+        {
+            "vary": [
+                {"name": "g", "variants": "damped", "grid": places, "measures": ["interstorey_drift", "damper_force"]}
+            ],
+            "histories": [{"variants": "all", "levels": "DBE", "records": ["whole", "slow"]}],
+        }
+    )
+    path = run_study(study, folder / "grid.h5").archive
+    single = groups(
+        run_study(load_study(folder / "sweep.yaml"), folder / "single.h5", only=["damped_c_3.DBE.slow"]).archive
+    )
+    same(groups(path)["damped_g_2_2.DBE.slow"], single["damped_c_3.DBE.slow"])  # 600 kN*s/m with the E of the project
+    with open_archive(path) as opened:
+        parts = derived(Source(opened)).parts
+    table = next(part for part in parts if isinstance(part, Table) and part.title.startswith("Mean response by c"))
+    assert table.title == "Mean response by c of fluid and E of S275, damped at DBE"
+    assert table.headers[:3] == ["c of fluid", "E of S275", "storey drift [%]"]
+    assert [tuple(row[:2]) for row in table.texts] == list(product(*places.values()))
+    with open_archive(path) as opened:
+        name, _, figure = next(vary_figures(opened))
+    lines = figure.axes[0].get_lines()
+    assert [line.get_label() for line in lines] == ["200 GPa", "210 GPa"]
+    assert [list(line.get_xdata()) for line in lines] == [[40.0, 600.0], [40.0, 600.0]] and name == "vary_g_damped_DBE"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 from edesign.project.checks.designs import check_factors
@@ -9,7 +10,7 @@ from edesign.project.checks.names import check_names
 from edesign.project.dampers.designs import Bounds
 from edesign.project.reading.problems import FileProblems, Keys, Problems, listed
 from edesign.project.reading.values import wrong_place
-from edesign.project.study.derived import SHARED, derived_name
+from edesign.project.study.derived import SHARED, Vary, derived_name
 from edesign.project.study.study import Study, Variant
 
 
@@ -28,7 +29,7 @@ def check_derived(study: Study, problems: Problems) -> None:
             if message := wrong_place(place, study.base, study.base.root):
                 problems.at_key(at, f"{study.base.path}: {message}")
             elif _may_change(at, place, (name,), study, problems):
-                _check_value(at, place, value, study, problems)
+                _check_values(at, {place: value}, study, problems)
         if variant.bounds is not None:
             _bounds(keys, variant, variant.bounds, problems)
     for i, item in enumerate(study.vary):
@@ -37,13 +38,29 @@ def check_derived(study: Study, problems: Problems) -> None:
             problems.at_value((*keys, "name"), f"`{item.name}` comes twice [E-NAME-02]")
         check_names(problems, (*keys, "variants"), "variant", item.variants, of_file)
         known = tuple(name for name in item.variants if name in of_file)
-        if message := wrong_place(item.place, study.base, study.base.root):
-            problems.at_value((*keys, "place"), f"{study.base.path}: `{item.place}`: {message}")
-        elif _may_change((*keys, "place"), item.place, known, study, problems):
-            for j, value in enumerate(item.values):
-                if not _check_value((*keys, "values", j), item.place, value, study, problems):
-                    break
+        _check_vary(keys, item, known, study, problems)
     _taken_names(of_file, study, problems)
+
+
+def _check_vary(keys: Keys, item: Vary, known: tuple[str, ...], study: Study, problems: Problems) -> None:
+    """Check the places of a variation, and the project with each of its combinations."""
+    if (item.place is None) == (not item.grid):
+        problems.at_key(keys, "give either `place` with `values`, or a `grid` of several places [E-KEY-03]")
+        return
+    if (item.place is None) != (not item.values):
+        problems.at_key(keys, "`place` and `values` belong together; a `grid` has places with their values [E-KEY-03]")
+        return
+    good = True
+    for place in item.places:
+        at: Keys = (*keys, "place") if item.place is not None else (*keys, "grid", place)
+        if message := wrong_place(place, study.base, study.base.root):
+            problems.at_value(at, f"{study.base.path}: `{place}`: {message}")
+            good = False
+        else:
+            good = _may_change(at, place, known, study, problems) and good
+    for _, below, values in item.points if good else ():
+        if not _check_values((*keys, *below), values, study, problems):
+            break
 
 
 def _may_change(keys: Keys, place: str, variants: tuple[str, ...], study: Study, problems: Problems) -> bool:
@@ -67,13 +84,16 @@ def _may_change(keys: Keys, place: str, variants: tuple[str, ...], study: Study,
     return True
 
 
-def _check_value(keys: Keys, place: str, value: Any, study: Study, problems: Problems) -> bool:
-    """Whether the project is right with this value there, and has the same members."""
+def _check_values(keys: Keys, values: Mapping[str, Any], study: Study, problems: Problems) -> bool:
+    """Whether the project is right with these values at their places, and has the same members."""
     try:
-        changed = study.base.with_values(place, value)
+        changed = study.base.with_values(dict(values.items()))
     except FileProblems as error:
         first = error.problems[0]
+        place = first.keys_text if first.keys_text in values else next(iter(values))
         said = first.message if first.keys_text == place else str(first)
+        if keys[-1] == "grid":
+            keys = (*keys, place, study.vary[int(keys[1])].grid[place].index(values[place]))
         problems.at_value(keys, f"{study.base.path}: {place}: {said}")
         return False
     mine, other = changed.grid, study.base.grid
@@ -102,13 +122,15 @@ def _taken_names(of_file: list[str], study: Study, problems: Problems) -> None:
             (("variants", name, "bounds"), side) for side in ("lower", "upper") if variant.bounds is not None
         ]
         made += [
-            (("vary", i, "name"), f"{item.name}_{j}")
+            (("vary", i, "name"), suffix)
             for i, item in enumerate(study.vary)
-            if name in item.variants
-            for j in range(1, len(item.values) + 1)
+            if name in item.variants and item.name not in [earlier.name for earlier in study.vary[:i]]
+            for suffix, _, _ in item.points
         ]
+        taken = list(of_file)
         for keys, suffix in made:
-            if derived_name(name, suffix) in of_file:
+            if derived_name(name, suffix) in taken:
                 problems.at_key(
                     keys, f"makes a variant `{derived_name(name, suffix)}`, which there is; rename one [E-NAME-02]"
                 )
+            taken.append(derived_name(name, suffix))

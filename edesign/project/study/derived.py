@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from itertools import product
 from typing import Annotated, Any, Literal
 
 from pydantic import Field
@@ -34,21 +36,40 @@ def _measures(value: Any) -> Any:
 
 
 class Vary(Model):
-    """One value of the project, and what it is in turn: each makes a variant of every variant named.
+    """Values of the project, and what they are in turn: each makes a variant of every variant named.
 
     Attributes:
         name: name of the variation, for the names of its variants.
         variants: variants that are changed.
-        place: place in the project file as messages write it, such as `materials.S275.fy`.
+        place: place in the project file as messages write it, such as `materials.S275.fy`; this key or `grid`.
         values: what stands at the place in turn.
+        grid: several places, each with its values in turn; every combination of them makes a variant.
         measures: response measures that tables and figures show; without the key the usual ones.
     """
 
     name: ShortName
     variants: Names
-    place: Annotated[str, Field(min_length=1)]
-    values: Annotated[tuple[Any, ...], Field(min_length=1)]
+    place: Annotated[str, Field(min_length=1)] | None = None
+    values: Annotated[tuple[Any, ...], Field(min_length=1)] = ()
+    grid: dict[str, Annotated[tuple[Any, ...], Field(min_length=1)]] = {}
     measures: Annotated[tuple[str, ...], Written(_measures, one_or_list_of(given({"enum": sorted(SHORT_NAMES)})))] = ()
+
+    @property
+    def places(self) -> dict[str, tuple[Any, ...]]:
+        """The places with their values."""
+        return dict(self.grid) if self.place is None else {self.place: self.values}
+
+    @property
+    def points(self) -> Iterator[tuple[str, tuple[str | int, ...], Mapping[str, Any]]]:
+        """Every combination of values: its suffix such as `c_2` or `grid_2_1`, keys below `vary`, and values by place.
+
+        The first place changes slowest.
+        """
+        for numbers in product(*(range(len(values)) for values in self.places.values())):
+            suffix = "_".join([self.name, *(str(number + 1) for number in numbers)])
+            keys = ("grid",) if self.place is None else ("values", *numbers)
+            there = zip(self.places.items(), numbers, strict=True)
+            yield suffix, keys, {place: values[number] for (place, values), number in there}
 
 
 @dataclass(frozen=True)
@@ -59,15 +80,20 @@ class Derived:
         of: the variant of the file.
         keys: of what made it in the file.
         vary: name of the `vary` that made it, "" of a bound.
-        value: of the project, as written; None of a bound.
+        values: of the project, as written, in the order of their places; none of a bound.
         bound: of the dampers' properties, "" of another value.
     """
 
     of: str
     keys: tuple[str | int, ...]
     vary: str = ""
-    value: Any = None
+    values: tuple[Any, ...] = ()
     bound: Side | Literal[""] = ""
+
+    @property
+    def said(self) -> str:
+        """The values in words."""
+        return ", ".join(map(str, self.values))
 
 
 def derived_name(of: str, suffix: str) -> str:

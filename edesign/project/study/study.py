@@ -258,10 +258,10 @@ class Study(FileModel):
             for side in sides:
                 yield derived_name(name, side), plain, Derived(name, ("variants", name, "bounds"), bound=side)
             for at, item in enumerate(self.vary):
-                for i, value in enumerate(item.values if name in item.variants else ()):
-                    changed = plain.model_copy(update={"values": {**variant.values, item.place: value}})
-                    source = Derived(name, ("vary", at, "values", i), item.name, value)
-                    yield derived_name(name, f"{item.name}_{i + 1}"), changed, source
+                for suffix, keys, values in item.points if name in item.variants else ():
+                    changed = plain.model_copy(update={"values": {**variant.values, **values}})
+                    source = Derived(name, ("vary", at, *keys), item.name, tuple(values.values()))
+                    yield derived_name(name, suffix), changed, source
 
     @property
     def derived(self) -> dict[str, Derived]:

@@ -22,20 +22,20 @@ _OF_NO_NAME = ("parameters",)
 
 @dataclass(frozen=True)
 class Sweep:
-    """The response of a variant at a level for each value of `vary`; values without histories are left out.
+    """The response of a variant at a level for each combination of `vary`; those without histories are left out.
 
     Attributes:
         vary: what was changed.
         of: name of the variant that was changed.
         level: of the hazard.
-        values: as written, in their order.
+        points: values as written, in the order of their places, of each combination.
         sets: histories of each.
     """
 
     vary: Vary
     of: str
     level: str
-    values: tuple[str, ...]
+    points: tuple[tuple[str, ...], ...]
     sets: tuple[HistorySet, ...]
 
     @cached_property
@@ -49,26 +49,32 @@ class Sweep:
         )
 
     @property
-    def quantity(self) -> str:
-        """The varied quantity in words, such as `fy of S275` for materials.S275.fy."""
-        *above, last = _STEP.findall(self.vary.place)
-        of = next((key for key in reversed(above) if key not in _OF_NO_NAME), "")
-        return f"{last} of {of}" if of else last
+    def quantities(self) -> tuple[str, ...]:
+        """The varied quantities in words, such as `fy of S275` for materials.S275.fy."""
+        return tuple(map(_quantity, self.vary.places))
 
     @property
     def title(self) -> str:
-        """The varied quantity, the variant and the level in words."""
+        """The varied quantities, the variant and the level in words."""
         at = f" at {self.level}" if self.level else ""
-        return f"{self.quantity}, {self.of}{at}"
+        return f"{' and '.join(self.quantities)}, {self.of}{at}"
 
     @property
-    def numbers(self) -> tuple[tuple[float, ...], str] | None:
-        """The values as numbers with the unit that all are written in; None where they have none in common."""
-        found = [match for value in self.values if (match := _NUMBER.fullmatch(value)) is not None]
-        units = {match[2] for match in found}
-        if len(found) < len(self.values) or len(units) != 1:
+    def curves(self) -> dict[tuple[str, ...], list[tuple[str, HistorySet]]]:
+        """Values of the first place with their histories, by the values of the other places."""
+        found: dict[tuple[str, ...], list[tuple[str, HistorySet]]] = {}
+        for (value, *others), one in zip(self.points, self.sets, strict=True):
+            found.setdefault(tuple(others), []).append((value, one))
+        return found
+
+    @property
+    def numbers(self) -> tuple[dict[str, float], str] | None:
+        """The values of the first place as numbers with the unit that all are written in; None if they differ in it."""
+        found = {value: _NUMBER.fullmatch(value) for value, *_ in self.points}
+        units = {match[2] if match is not None else None for match in found.values()}
+        if len(units) != 1 or None in units:
             return None
-        return tuple(float(match[1]) for match in found), units.pop()
+        return {value: float(match[1]) for value, match in found.items() if match is not None}, str(units.pop())
 
 
 @dataclass(frozen=True)
@@ -90,10 +96,16 @@ def sweeps(study: Study, sets: Sequence[HistorySet]) -> list[Sweep]:
             names = [name for name, source in study.derived.items() if (source.of, source.vary) == (of, item.name)]
             for level in levels:
                 pairs = [(name, there[name, level]) for name in names if (name, level) in there]
-                values = tuple(str(study.derived[name].value) for name, _ in pairs)
+                points = tuple(tuple(map(str, study.derived[name].values)) for name, _ in pairs)
                 if pairs:
-                    made.append(Sweep(item, of, level, values, tuple(found for _, found in pairs)))
+                    made.append(Sweep(item, of, level, points, tuple(found for _, found in pairs)))
     return made
+
+
+def _quantity(place: str) -> str:
+    *above, last = _STEP.findall(place)
+    of = next((key for key in reversed(above) if key not in _OF_NO_NAME), "")
+    return f"{last} of {of}" if of else last
 
 
 def bounded(study: Study, sets: Sequence[HistorySet]) -> list[Bounded]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from operator import itemgetter
 from typing import Any, NamedTuple
 
 from edesign.assess.sets import HistorySet, measure_statistics
@@ -34,8 +35,8 @@ def _side(name: str) -> Column[_Bound]:
 SWEEP = TableSpec[Mapping[str, Any]](
     "sweep",
     "Mean response by {of}",
-    (text("value"), MORE, count("of")),
-    notes=("Value: {place}.", "{variants}; of: histories that were completed."),
+    (MORE, count("of")),  # a column for each place, and for each measure
+    notes=("Values: {places}.", "{variants}; of: histories that were completed."),
     named_by_title=True,
 )
 BOUNDS = TableSpec[_Bound](
@@ -58,19 +59,24 @@ def derived_tables(study: Study, sets: Sequence[HistorySet]) -> list[Table]:
 
 
 def sweep_table(sweep: Sweep) -> Table:
-    """Return the mean measures for each value."""
+    """Return the mean measures for each combination of values."""
+    places = sweep.vary.places
+    heads = ["value"] if len(places) == 1 else list(sweep.quantities)
     means = [{name: one.mean for name, one in measure_statistics(found).items()} for found in sweep.sets]
     items = [
-        {"value": value, "of": f"{len(found.completed)}/{len(found.histories)}", **of}
-        for value, found, of in zip(sweep.values, sweep.sets, means, strict=True)
+        {**dict(zip(places, point, strict=True)), "of": f"{len(found.completed)}/{len(found.histories)}", **of}
+        for point, found, of in zip(sweep.points, sweep.sets, means, strict=True)
     ]
     names = [found.variant for found in sweep.sets]
     return SWEEP.of(
         items,
-        more=[replace(column, optional=False) for column in MEASURE_COLUMNS if column.value in sweep.measures],
+        more=[
+            *(text(head, itemgetter(place)) for head, place in zip(heads, places, strict=True)),
+            *(replace(column, optional=False) for column in MEASURE_COLUMNS if column.value in sweep.measures),
+        ],
         notes=missing_notes(sweep.sets),
         of=sweep.title,
-        place=sweep.vary.place,
+        places="; ".join(f"{head} is {place}" for head, place in zip(sweep.quantities, places, strict=True)),
         variants=f"Variants {names[0]} to {names[-1]}" if len(names) > 1 else f"Variant {names[0]}",
     )
 

@@ -100,7 +100,7 @@ def _different(study: Study, designed: Mapping[str, Dampers]) -> list[_Drawn]:
         source = study.derived.get(name)
         if source is not None:
             of = next((one for one in found if source.of in one.variants), None)
-            what = f"{source.bound} bound of the properties" if source.bound else f"{source.vary} = {source.value}"
+            what = f"{source.bound} bound of the properties" if source.bound else f"{source.vary} = {source.said}"
             if of is not None:
                 of.notes.append(f"{name}: {what}")
                 continue

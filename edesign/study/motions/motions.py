@@ -22,6 +22,7 @@ from edesign.project.analysis_file import AnalysisFile
 from edesign.project.records.pairs import InSpace, SuitePairs
 from edesign.project.records.records import PairRecord, Suite, component_references, record_of
 from edesign.stopping import Stopped, in_threads, stoppable
+from edesign.study.motions.fitted import fitted_once
 from edesign.study.motions.pair_criteria import FirstPeriods
 from edesign.study.motions.pairs import UNTURNED, PairMotion, prepare_pairs
 
@@ -77,7 +78,7 @@ def fit(reference: str, found: Found, target: Spectrum, options: MatchOptions) -
         options: method, band, damping and bounds of the fit.
     """
     try:
-        return Motion(reference, found, match_record(found.record, target, options))
+        return Motion(reference, found, fitted_once(match_record, found.record, target, options))
     except EdesignError as error:
         reason = str(error).removeprefix(f"{found.record.name}: ")
         return Motion(reference, found, failure=f"{reference} cannot be fitted to the spectrum: {reason}")

@@ -25,6 +25,7 @@ from edesign.one_thread import one_thread
 from edesign.project.records.pairs import InSpace, OnePair, SuitePairs
 from edesign.project.records.records import CombinedSpectrum, level_of_fit, record_of
 from edesign.stopping import in_threads
+from edesign.study.motions.fitted import fitted_once
 from edesign.study.motions.pair_criteria import FirstPeriods, PairSpectra
 
 UNTURNED = (0.0,)
@@ -271,7 +272,7 @@ def _spectrum_of(rule: PairRule, scaled: bool) -> CombinedSpectrum | None:
 def _fitted(pair: Pair, target: Spectrum, options: MatchOptions, spectrum: CombinedSpectrum | None) -> PairMotion:
     first, second = (found.record for found in pair.components)
     try:
-        found = match_pair(first, second, target, options, spectrum)
+        found = fitted_once(match_pair, first, second, target, options, spectrum)
     except EdesignError as error:
         return PairMotion(pair, failure=f"{pair.name} cannot be fitted to the spectrum: {error}")
     return PairMotion(pair, found.matches, found.fit)

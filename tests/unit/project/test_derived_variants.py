@@ -30,7 +30,7 @@ def study() -> Study:
 def test_the_variants_that_are_made(study: Study) -> None:
     sweep = [f"damped_c_{i}" for i in (1, 2, 3)] + ["damped_brace_1", "damped_brace_2"]
     assert list(study.variants) == ["damped", "softer", "damped_lower", "damped_upper", *sweep]
-    assert study.derived["damped_c_3"] == Derived("damped", ("vary", 0, "values", 2), "c", "600 kN*s/m")
+    assert study.derived["damped_c_3"] == Derived("damped", ("vary", 0, "values", 2), "c", ("600 kN*s/m",))
     assert study.derived["damped_upper"] == Derived("damped", ("variants", "damped", "bounds"), bound="upper")
     assert study.named("damped_c_1") == study.named("damped") == "damped"
     assert study.variants_of(study.histories[0]) == tuple(study.variants)
@@ -109,3 +109,54 @@ def test_laws_of_other_values_are_checked_before_the_run(old: str, new: str, sai
     found = parse_study(TEXT.replace(old, new), CASE / "sweep.yaml", study.base)
     with pytest.raises(InputError, match=said):
         check_study_inputs(found, make_study_plan(found))
+
+
+GRID = """\
+  - name: g
+    variants: damped
+    grid:
+      dampers.laws.fluid.parameters.c: [40 kN*s/m, 150 kN*s/m]
+      materials.S275.E: [200 GPa, 205 GPa, 210 GPa]
+"""
+
+
+def of_grid(study: Study, grid: str = GRID) -> Study:
+    begin, _, rest = TEXT.partition("  - {name: c,")
+    _, _, end = rest.partition("IPE120]}\n")
+    return parse_study(begin + grid + end, CASE / "sweep.yaml", study.base)
+
+
+def test_a_grid_makes_a_variant_of_every_combination(study: Study) -> None:
+    found = of_grid(study)
+    made = [name for name, source in found.derived.items() if source.vary == "g"]
+    assert made == [f"damped_g_{i}_{j}" for i in (1, 2) for j in (1, 2, 3)]
+    project = found.project_of("damped_g_1_3")
+    assert project.materials["S275"].E == 210e9 and "c: 40 kN*s/m" in project.text
+    assert found.derived["damped_g_1_3"].said == "40 kN*s/m, 210 GPa"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "key", "said"),
+    [
+        ("205 GPa", "205 kN", "vary[0].grid.materials.S275.E[1]", "force E-UNIT-02"),
+        ("materials.S275.E", "materials.S355.E", "vary[0].grid.materials.S355.E", "`S355` E-NAME-01"),
+        ("materials.S275.E: [", "hazard.a_gR: [", "vary[0].grid.hazard.a_gR", "E-VARIANT-01"),
+        ("    grid:", "    place: materials.S275.E\n    grid:", "vary[0]", "either E-KEY-03"),
+        ("    grid:", "    values: [200 GPa]\n    grid:", "vary[0]", "together E-KEY-03"),
+        ("[40 kN*s/m, 150 kN*s/m]", "[]", "vary[0].grid.dampers.laws.fluid.parameters.c", ""),
+        ("  - name: g", "  - {name: g_1, variants: damped, place: materials.S275.E, values: [200 GPa]}\n  - name: g",
+         "vary[1].name", "`damped_g_1_1` E-NAME-02"),
+    ],
+)  # fmt: skip
+def test_what_is_wrong_in_a_grid(old: str, new: str, key: str, said: str, study: Study) -> None:
+    assert GRID.count(old) == 1
+    with pytest.raises(StudyError) as caught:
+        of_grid(study, GRID.replace(old, new))
+    first = caught.value.problems[0]
+    assert first.keys_text == key and says(first.message, said), str(caught.value)
+
+
+def test_a_grid_is_written_from_python(study: Study) -> None:
+    places = {"dampers.laws.fluid.parameters.c": ["40 kN*s/m", "150 kN*s/m"], "materials.S275.E": ["200 GPa"]}
+    found = study.with_values("vary", [{"name": "g", "variants": "damped", "grid": places}])
+    assert [name for name in found.derived if "_g_" in name] == ["damped_g_1_1", "damped_g_2_1"]
