@@ -67,7 +67,7 @@ class Vary(Model):
         """
         for numbers in product(*(range(len(values)) for values in self.places.values())):
             suffix = "_".join([self.name, *(str(number + 1) for number in numbers)])
-            keys = ("grid",) if self.place is None else ("values", *numbers)
+            keys: tuple[str | int, ...] = ("grid",) if self.place is None else ("values", *numbers)
             there = zip(self.places.items(), numbers, strict=True)
             yield suffix, keys, {place: values[number] for (place, values), number in there}
 

@@ -68,10 +68,13 @@ def sweep_table(sweep: Sweep) -> Table:
         for point, found, of in zip(sweep.points, sweep.sets, means, strict=True)
     ]
     names = [found.variant for found in sweep.sets]
+    there: list[Column[Mapping[str, Any]]] = [
+        text(head, itemgetter(place)) for head, place in zip(heads, places, strict=True)
+    ]
     return SWEEP.of(
         items,
         more=[
-            *(text(head, itemgetter(place)) for head, place in zip(heads, places, strict=True)),
+            *there,
             *(replace(column, optional=False) for column in MEASURE_COLUMNS if column.value in sweep.measures),
         ],
         notes=missing_notes(sweep.sets),

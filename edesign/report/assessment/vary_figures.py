@@ -74,10 +74,8 @@ def vary_figure(sweep: Sweep) -> Figure:
         if known is None:
             here.set_xticks(list(at.values()), [legend_label(value) for value in at])
     handles, labels = cells[0].get_legend_handles_labels()
-    others = " and ".join(sweep.quantities[1:])
-    figure.legend(
-        handles, labels, loc="outside lower center", ncols=3 if others else 2, title=legend_label(others) or None
-    )
+    head = legend_label(" and ".join(sweep.quantities[1:])) or None
+    figure.legend(handles, labels, loc="outside lower center", ncols=3 if head else 2, title=head)
     return figure
 
 
