@@ -8,6 +8,9 @@ The functions behind the commands, loaded when first used:
     check_project(project) -> dict            edesign check
     check_study(study) -> dict                edesign check
     check_building(building) -> dict          edesign check
+    make_project(title, ...) -> Project       a model in Python instead of a file
+    make_study(title, project, ...) -> Study  likewise
+    make_building(title, ...) -> Building     likewise
     new_project(folder, name, kind) -> Path   edesign new
     run_project(project, ...) -> RunSummary   edesign run
     run_study(study, ...) -> RunSummary       edesign run
@@ -46,6 +49,7 @@ if TYPE_CHECKING:  # for editors and type checkers
     from edesign.exchange.formats import translate
     from edesign.frame.building_file import load_building
     from edesign.frame.project_file import load_project, load_study
+    from edesign.frame.python_files import make_building, make_project, make_study
     from edesign.ground_motion.formats.read import read_record_file
     from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum
     from edesign.ground_motion.matching.options import MatchOptions
@@ -102,6 +106,9 @@ __all__ = [
     "load_project",
     "load_rts_file",
     "load_study",
+    "make_building",
+    "make_project",
+    "make_study",
     "match_records",
     "new_project",
     "open_archive",
@@ -149,6 +156,9 @@ _PLACES = {
     "load_project": "edesign.frame.project_file",
     "load_rts_file": "edesign.project.substructure.loader",
     "load_study": "edesign.frame.project_file",
+    "make_building": "edesign.frame.python_files",
+    "make_project": "edesign.frame.python_files",
+    "make_study": "edesign.frame.python_files",
     "match_records": "edesign.study.run.match",
     "new_project": "edesign.project.template",
     "open_archive": "edesign.report.open_archive",

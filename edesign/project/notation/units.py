@@ -34,6 +34,7 @@ from edesign.project.notation.quantities import (
     VELOCITY,
     Kind,
 )
+from edesign.project.notation.si_numbers import SiCount, SiNumber
 from edesign.project.notation.written import NUMBER, Written, quantity, ratio, words_or
 from edesign.project.reading.base import refuse
 from edesign.project.reading.problems import as_seen, did_you_mean, nearest
@@ -88,6 +89,8 @@ def parse_quantity(value: Any, kind: Kind, sign: Sign = "any") -> float:
             )
         raise refuse(f"`{value}` is no {kind.name}; write number and unit, for example `{kind.example}` [E-VALUE-01]")
     number, unit = match[1], match[2]
+    if not unit and isinstance(value, SiNumber | SiCount):
+        value.kind, unit = kind, kind.unit
     if not unit:
         raise refuse(
             f"the bare number `{value}` needs a unit; {a(kind.name)} is written like `{kind.written(number)}`"
@@ -258,7 +261,7 @@ _POWER_DASHPOT = re.compile(r"(N|kN|MN)\*\(s/(m|mm)\)\^([0-9.]+)")
 
 def units_of(kind: Kind) -> dict[str, float]:
     """Return the usual units of a quantity with their factors to SI."""
-    return _FACTORS[kind.unit]
+    return _FACTORS.get(kind.unit, {})
 
 
 @cache

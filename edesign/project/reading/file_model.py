@@ -170,6 +170,23 @@ class FileModel(Model):
         """The exact text of the file."""
         return self._text
 
+    def to_yaml(self, path: Path | str | None = None) -> str:
+        """Return the exact text of the file, and write it if a path is given.
+
+        Args:
+            path: of the file to write; what is there is replaced. Files that it names are relative to its folder.
+
+        Raises:
+            InputError: the copy was changed otherwise than by `with_values`, or the file cannot be written.
+        """
+        self.check_unchanged()
+        if path is not None:
+            try:
+                Path(path).write_text(self._text, encoding="utf-8", newline="\n")
+            except OSError as error:
+                raise InputError(f"{path}: the file cannot be written: {error.strerror} [E-FILE-06]") from None
+        return self._text
+
     @property
     def checksum(self) -> str:
         """The SHA-256 of the text (UTF-8), hexadecimal."""
