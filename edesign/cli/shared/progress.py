@@ -49,7 +49,8 @@ class PlainLines:
                 return
             text = f"{visible_line(place(report) + report.analysis)}: {report.fraction:.0%}"
         if report.event in ("end", "advance") and report.index:
-            text += remaining(self._tally.left, ", about ")
+            left = remaining(self._tally.left, ", about ")
+            text += f"; {self._tally.fraction:.0%} done{left}" if left and self._tally.count > 1 else left
         self._last = self._clock()
         try:
             print(text, file=sys.stderr, flush=True)

@@ -19,6 +19,7 @@ from edesign.study.plan.plan import Task
 from edesign.study.run.backends import Backend
 from edesign.study.run.backends.call import Call, Result
 from edesign.study.run.outcome import Outcome
+from edesign.study.run.pace import works_of
 from edesign.study.run.progress import Listener, Progress
 
 Prepared = Callable[[Task], tuple[AnalysisFile, PlannedAnalysis]]
@@ -71,6 +72,7 @@ class RunState:
 
     def __post_init__(self) -> None:
         self._places = {task.name: place for place, task in enumerate(self.job.tasks, start=1)}
+        self._works = works_of(self.job.project, self.job.tasks, self.job.recordings)
         self.writer.on_rewrite = self.note
         self.resumable = tuple(place for place in self.job.resumable if place in self.writer.kept)
 
@@ -120,7 +122,7 @@ class RunState:
         seconds: float = 0.0,
     ) -> None:
         place = self._places.get(name, 0)
-        self.report(Progress(event, name, place, len(self._places), fraction, message, seconds))
+        self.report(Progress(event, name, place, len(self._places), fraction, message, seconds, self._works))
 
     def results(self, calls: Sequence[Call]) -> Iterator[Result]:
         """Yield the results of calls from the back end without interrupted ones; nothing starts after a stop."""

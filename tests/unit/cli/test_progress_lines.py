@@ -56,8 +56,8 @@ def test_lines_carry_place_time_and_what_is_left(capsys: pytest.CaptureFixture[s
     lines(Progress("end", "matching", 0, 24, 1.0, "2 of 2 records", 3.0))
     # 2 of 24 are done: 22 of 1.8 s are left
     assert capsys.readouterr().err.splitlines() == [
-        "[11/24] h11: completed (2.4 s), about 55 s left",
-        "[12/24] h12: completed (1.2 s), about 40 s left",
+        "[11/24] h11: completed (2.4 s); 4% done, about 55 s left",
+        "[12/24] h12: completed (1.2 s); 8% done, about 40 s left",
         "matching: 2 of 2 records (3 s)",
     ]
 

@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+import csv
+import heapq
+from pathlib import Path
+
 import pytest
 
+from edesign.study.run.pace import Pace, Work
 from edesign.study.run.progress import Progress, Tally
 
 
@@ -97,3 +102,84 @@ def test_what_is_not_in_the_plan_does_not_count() -> None:
     run.tally(Progress("advance", "matching", 0, 4, 0.5))
     run.tally(Progress("end", "matching", 0, 4, 1.0, "5 of 5 records", 60.0))
     assert (run.tally.done, run.tally.left, run.tally.fraction) == (0, None, 0.0)
+
+
+@pytest.fixture(scope="module")
+def measured() -> dict[str, tuple[Work, float]]:
+    """Work of the analyses of projects/thesis_10_storey/study.yaml and the CPU time of each, s, as run on one core."""
+    with (Path(__file__).parent / "thesis_run.csv").open(encoding="utf-8", newline="") as file:
+        return {
+            row["name"]: (
+                Work(float(row["steps"]), row["kind"], tuple(row[key] for key in list(row)[3:-1])),
+                float(row["seconds"]),
+            )
+            for row in csv.DictReader(file)
+        }
+
+
+def replayed(measured: dict[str, tuple[Work, float]], workers: int, between: float = 0.0) -> list[tuple[float, float]]:
+    """Estimate and truth of the time that is left at the end of each analysis, s.
+
+    Args:
+        between: time that each worker takes between two analyses, s.
+    """
+    names, plan = list(measured), {name: work for name, (work, _) in measured.items()}
+    now, said, running, place = 0.0, list[tuple[float, float | None]](), list[tuple[float, str]](), 0
+    tally = Tally(lambda: now)
+
+    def start(at: float) -> None:
+        nonlocal place
+        if place < len(names):
+            name = names[place]
+            place += 1
+            tally(Progress("start", name, place, len(names), plan=plan))
+            heapq.heappush(running, (at + measured[name][1] + between, name))
+
+    for _ in range(workers):
+        start(0.0)
+    while running:
+        now, name = heapq.heappop(running)
+        tally(Progress("end", name, names.index(name) + 1, len(names), 1.0, "completed", measured[name][1], plan))
+        said.append((now, tally.left))
+        start(now)
+    return [(estimate if estimate is not None else float("nan"), now - at) for at, estimate in said]
+
+
+@pytest.mark.parametrize(("workers", "between"), [(1, 0.0), (2, 0.0), (4, 0.0), (1, 0.5)])
+def test_the_time_left_of_a_measured_study_is_within_a_factor_of_two(
+    measured: dict[str, tuple[Work, float]], workers: int, between: float
+) -> None:
+    """From the tenth analysis on, while a second is left: 80 histories at two levels, with and without dampers."""
+    said = replayed(measured, workers, between)
+    ratios = [estimate / truth for estimate, truth in said[9:] if truth > 1.0]
+    assert len(ratios) > 60 and all(0.5 <= ratio <= 2.0 for ratio in ratios), ratios
+    second_half = ratios[len(ratios) // 2 : -8]  # all variants and levels but one are known by then
+    assert workers > 2 or all(0.7 <= ratio <= 1.4 for ratio in second_half), second_half
+
+
+def test_nothing_is_said_of_histories_before_one_is_known(measured: dict[str, tuple[Work, float]]) -> None:
+    said = replayed(measured, 1)
+    assert [estimate != estimate for estimate, _ in said[:5]] == [True, True, True, True, False]
+
+
+def test_the_share_that_is_done_is_one_of_steps(measured: dict[str, tuple[Work, float]]) -> None:
+    plan = {"short": Work(100.0, "history"), "long": Work(300.0, "history")}
+    tally = Tally(lambda: 0.0)
+    tally(Progress("start", "short", 1, 2, plan=plan))
+    tally(Progress("end", "short", 1, 2, 1.0, "completed", 1.0, plan))
+    assert tally.fraction == pytest.approx(0.25) and tally.left == pytest.approx(3.0)
+    tally(Progress("start", "long", 2, 2, plan=plan))
+    tally(Progress("advance", "long", 2, 2, 0.5, plan=plan))
+    assert tally.fraction == pytest.approx(0.625)
+
+
+def test_the_pace_of_what_is_new_is_that_of_its_variant_times_that_of_its_level() -> None:
+    """Dampers make a step twice as long and the higher level half as long again, whatever the step."""
+    pace = Pace()
+    for variant, level, seconds in (("bare", "DBE", 1.0), ("bare", "MCE", 1.5), ("damped", "DBE", 2.0)):
+        pace.add(Work(1000.0, "history", (variant, level)), seconds)
+    assert pace.seconds(Work(2000.0, "history", ("damped", "MCE"))) == pytest.approx(6.0, rel=0.02)
+    assert pace.seconds(Work(2000.0, "history", ("damped", "DBE"))) == pytest.approx(4.0)
+    known = [pace.seconds(Work(1000.0, "history", ("other", level))) or 0.0 for level in ("DBE", "MCE")]
+    assert known[1] / known[0] == pytest.approx(1.5, rel=0.02)
+    assert pace.seconds(Work(1.0, "modal")) is None
