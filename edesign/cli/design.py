@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 import shlex
+import time
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
+from edesign.cli.shared.progress import remaining
 from edesign.cli.shared.stages import in_stages
 from edesign.cli.shared.streams import progress_line
+from edesign.cli.shared.workers import DEFAULT, Workers
 from edesign.frame.building_file import load_building
 from edesign.optional_stages import optional
 from edesign.report.building.selection_tables import selection_tables
 from edesign.report.tables.text import print_tables
 from edesign.report.tables.visible import visible_line
+from edesign.space.selection.search import Line
 from edesign.study.run.building import DESIGNED, design_building
 
 
@@ -27,17 +31,21 @@ def design(
         ),
     ] = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace a file that is of something else.")] = False,
-    workers: Annotated[int, typer.Option("--workers", "-w", min=1, help="Processes.")] = 2,
+    workers: Workers = DEFAULT,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")] = False,
 ) -> None:
     """Choose the lightest sections that meet all checks, and write the building file with them, and its archive.
 
     The lists of sections are those of `design: select` in the file.
     """
+    began = time.monotonic()
 
     def progress(line: str) -> None:
         if not quiet:
-            progress_line(visible_line(line))
+            share = line.share if isinstance(line, Line) else 0.0
+            # later starts take less: they know what those before them found
+            left = remaining((time.monotonic() - began) * (1.0 / share - 1.0), ", at most ") if share else ""
+            progress_line(visible_line(line) + (f"; {share:.0%} done{left}" if left else ""))
 
     read = load_building(building)
     path, archive, found = in_stages(lambda stage: design_building(read, output, overwrite, workers, progress), quiet)

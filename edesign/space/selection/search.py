@@ -24,11 +24,23 @@ DOWN = 3
 """Sizes that a group goes down at most in one step, among all lighter sections and among the stiffest of them."""
 COLUMNS_ABOVE = 2
 """Sizes by which the columns of each start stand above those of the one before it."""
+SILENT = 100
+"""Evaluations after which the search says where it is."""
 Move = tuple[tuple[int, int], ...]
 """Groups with the sizes that they go up or, negative, down."""
 Exchange = tuple[tuple[int, int], ...]
 """Groups with the numbers of their new sections."""
 Listener = Callable[[str], None]
+
+
+class Line(str):
+    """A line of progress.
+
+    Attributes:
+        share: of the starts that are done; 0 as long as the first goes on.
+    """
+
+    share: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -63,6 +75,8 @@ class Search:
         self._order = tuple(order)
         self._budget = budget
         self._progress = progress
+        self._at = (0, 0)  # number of the start, and how many there are at most
+        self._told = 0  # evaluations by the last line
 
     def run(self, starts: int, given: Choice | None = None) -> Found:
         """Search from some starts.
@@ -73,17 +87,19 @@ class Search:
         """
         best: Evaluation | None = None
         certified, fruitful = False, 0
+        points = starts + (given is not None)
         self._evaluate.budget = self._budget
         try:
             for number, point in enumerate(self._points(starts, given), 1):
+                self._at = number, points
                 climbed = self._climbed(point)
                 if not climbed.met:
-                    self._progress(f"start {number}: no choice found that meets all checks{self._counted()}")
+                    self._said("no choice found that meets all checks", ended=True)
                     continue
                 fruitful += 1
-                self._progress(f"start {number}: all checks met with {climbed.mass / 1e3:.2f} t{self._counted()}")
+                self._said(f"all checks met with {climbed.mass / 1e3:.2f} t")
                 lightest = self._descended(climbed)
-                self._progress(f"start {number}: {lightest.mass / 1e3:.2f} t{self._counted()}")
+                self._said(f"{lightest.mass / 1e3:.2f} t", ended=True)
                 if best is None or _less(lightest.cost, best.cost):
                     best, certified = lightest, True
             while (lighter := self._met(best)) is not None:  # that a start met on its way
@@ -103,8 +119,17 @@ class Search:
         met = [of for of in self._evaluate.all_known() if of.met and (best is None or _less(of.cost, best.cost))]
         return min(met, key=lambda of: (of.cost, of.worst, of.choice), default=None)
 
-    def _counted(self) -> str:
-        return f" ({self._evaluate.count} evaluations)"
+    def _said(self, what: str, ended: bool = False) -> None:
+        number, points = self._at
+        line = Line(f"start {number} of {points}: {what} ({self._evaluate.count} evaluations)")
+        line.share = (number if ended else number - 1) / points
+        self._told = self._evaluate.count
+        self._progress(line)
+
+    def _goes_on(self, what: str) -> None:
+        """Say where the search is, if that was not said for many evaluations."""
+        if self._at[0] and self._evaluate.count >= self._told + SILENT:
+            self._said(what)
 
     def _points(self, starts: int, given: Choice | None) -> Iterator[Evaluation]:
         """What to climb from, each once: what members and joints need, from the lightest; then columns above that."""
@@ -290,6 +315,7 @@ class Search:
             if better is None:
                 return base
             base = better
+            self._goes_on(f"climbing, {base.mass / 1e3:.2f} t so far")
         return base
 
     def _best_move(
@@ -350,6 +376,7 @@ class Search:
             if step is None:
                 return base
             base = step
+            self._goes_on(f"{base.mass / 1e3:.2f} t so far")
 
     def _promising(self, base: Choice, every: dict[Choice, Exchange], failed: set[Exchange]) -> dict[Choice, Exchange]:
         """Return the exchanges, the lightest first, that have not failed and pass under the forces of a choice."""

@@ -40,17 +40,20 @@ def works_of(project: AnalysisFile, tasks: Sequence[Task], recordings: Mapping[s
         project: whose time step is used.
         recordings: what was found, by reference.
     """
-    lasting: dict[str, float] = {}
+    given = project.integration.time_step if project.integration is not None else None
+    lasting: dict[str, tuple[float, float]] = {}  # s, and the time step
     for reference, found in recordings.items():
-        for name in (reference, reference.rpartition("/")[0]):
-            lasting[name] = max(lasting.get(name, 0.0), found.record.duration)
-    step = project.integration.time_step if project.integration is not None else 0.01
+        for name in (reference, reference.rpartition("/")[0]):  # of a pair the longer component
+            one = (found.record.duration, given or found.record.time_step)
+            lasting[name] = max(lasting.get(name, one), one)
+    longest = max(lasting.values(), default=(1.0, 0.01))
     works = {}
     for task in tasks:
         spec = task.spec
         labels = [task.variant, getattr(spec, "level", ""), str(task.temperature_C), str(getattr(spec, "dampers", ""))]
         if isinstance(spec, HistoryAnalysis):
-            steps = (lasting.get(spec.record, max(lasting.values(), default=1.0)) + spec.free_vibration) / step
+            duration, step = lasting.get(spec.record, longest)
+            steps = (duration + spec.free_vibration) / step
             if task.stripe is not None:
                 labels[1] = f"{task.stripe.incremental} {task.stripe.step}"
         else:

@@ -354,7 +354,7 @@ def file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def test_design_writes_a_file_that_runs_and_passes(file: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["design", "building.yaml", "--output", "new.yaml"]) == 0
     said = capsys.readouterr()
-    assert "start 1: all checks met with" in said.err
+    assert "start 1 of 4: all checks met with" in said.err
     assert "What holds each group up" in said.out
     assert "certificate: no single and no double exchange of sections is lighter and meets all checks" in said.out
     assert said.out.splitlines()[-1] == "new.yaml and new.h5 written. Next: edesign report new.h5"
