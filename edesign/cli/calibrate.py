@@ -13,6 +13,7 @@ import typer
 
 from edesign.cli.shared.pdf_options import PaperOption, print_options
 from edesign.cli.shared.streams import progress_line
+from edesign.cli.shared.workers import DEFAULT, Workers
 from edesign.optional_stages import earlier, optional
 
 if TYPE_CHECKING:
@@ -35,9 +36,7 @@ def calibrate(
     overwrite: Annotated[
         bool, typer.Option("--overwrite", help="Replace laws and results that are not of this campaign.")
     ] = False,
-    workers: Annotated[
-        int, typer.Option("--workers", "-w", min=1, help="Threads of predictions; results do not depend on it.")
-    ] = 2,
+    workers: Workers = DEFAULT,
     effort: Annotated[
         float | None,
         typer.Option(

@@ -15,6 +15,7 @@ from edesign.cli.shared import fit_inputs as read
 from edesign.cli.shared.complete import law_names
 from edesign.cli.shared.fit_inputs import FitInput
 from edesign.cli.shared.streams import progress_line
+from edesign.cli.shared.workers import DEFAULT, Workers
 from edesign.damper.fitting import (
     CrossValidation,
     Fit,
@@ -89,7 +90,7 @@ def fit(
         Path | None, typer.Option("--figures", metavar="DIR", help="Draw measured and fitted loops of every test.")
     ] = None,
     figure_format: Annotated[str, typer.Option("--format", help="Of the figures: svg, png, pdf.")] = "svg",
-    workers: Annotated[int, typer.Option("--workers", "-w", min=1, help="Threads.")] = 1,
+    workers: Workers = DEFAULT,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no tables.")] = False,
 ) -> None:
     """Fit damper laws to measured forces or properties; say how sure the parameters are, and which law suffices."""

@@ -11,6 +11,7 @@ from edesign.archive.files import check_folder, make_folder
 from edesign.cli.shared import hazard_options as action
 from edesign.cli.shared import recordings as source
 from edesign.cli.shared.progress import listener
+from edesign.cli.shared.workers import DEFAULT, Workers
 from edesign.errors import AnalysisError, InputError
 from edesign.ground_motion.formats.write import write_csv
 from edesign.ground_motion.hazard import elastic_spectrum
@@ -75,7 +76,7 @@ def match(
     overwrite: Annotated[
         bool, typer.Option("--overwrite", help="Replace the archive of something else than these recordings.")
     ] = False,
-    workers: Annotated[int, typer.Option("--workers", "-w", min=1, help="Recordings at the same time.")] = 1,
+    workers: Workers = DEFAULT,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no tables.")] = False,
 ) -> None:
     """Fit recordings to the elastic spectrum, check them against the code, archive originals and results.

@@ -14,6 +14,7 @@ from edesign.cli.shared.complete import analysis_names
 from edesign.cli.shared.progress import listener
 from edesign.cli.shared.stages import ProgressLine, in_stages
 from edesign.cli.shared.streams import progress_line
+from edesign.cli.shared.workers import DEFAULT, Workers
 from edesign.errors import AnalysisError, InputError
 from edesign.file_kinds.kinds import BUILDING, STUDY, SUBSTRUCTURE_TESTS, FileKind
 from edesign.file_kinds.recognise import kind_of, other_kind
@@ -50,7 +51,7 @@ def run(
     ] = None,
     fresh: Annotated[bool, typer.Option("--fresh", help="Discard the results of an interrupted run.")] = False,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace the archive of another project.")] = False,
-    workers: Annotated[int, typer.Option("--workers", "-w", min=1, help="Analyses that run at the same time.")] = 1,
+    workers: Workers = DEFAULT,
     backend: Annotated[
         str, typer.Option("--backend", "-b", help="What runs the analyses: serial, threads, or dask.")
     ] = "threads",
