@@ -10,6 +10,7 @@ from edesign.assess.member_uses import LoadedMember, loaded_members, rule_of, su
 from edesign.assess.sets import HistorySet
 from edesign.report.assessment.measure_tables import label, missing_notes
 from edesign.report.tables.column import Column, col, count, text
+from edesign.report.tables.number import finite
 from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.text import wrapped
 from edesign.report.tables.unit import KN, KN_M, ONE
@@ -40,18 +41,25 @@ COLUMNS: tuple[Column[_Use], ...] = (
     col("use", ONE, "member.use", form=".2f"),
     text("by", "member.check"),
     col("largest", ONE, "member.largest", form=".2f"),
-    col("N", KN, "member.N", 3),
-    col("V", KN, "member.V", 3, optional=True),
-    col("M", KN_M, "member.M", 3, optional=True),
+    col("N", KN, lambda one: finite(one.member.N), 3, optional=True),
+    col("V", KN, lambda one: finite(one.member.V), 3, optional=True),
+    col("M", KN_M, lambda one: finite(one.member.M), 3, optional=True),
     col("without dampers", ONE, "bare", form=".2f", optional=True),
     text("history", "member.history", broken=1),
 )
-USE = TableSpec[_Use]("member_use", "{whose}: use of columns, beams and braces, worst of each storey", COLUMNS, keys=3)
+USE = TableSpec[_Use](
+    "member_use",
+    "{whose}: use of columns, beams and braces, worst of each storey",
+    COLUMNS,
+    keys=3,
+    each="Use of columns, beams and braces",
+)
 BEYOND = TableSpec[_Use](
     "members_beyond_1",
     "{whose}: members used beyond 1",
     COLUMNS,
     keys=3,
+    each="Members used beyond 1",
     most=MOST,
     cut="The first {shown} of {all}.",
 )
@@ -163,10 +171,15 @@ def use_in_short(sets: Sequence[HistorySet]) -> Table:
     """
     every = _uses(sets)
     rules = list(dict.fromkeys(uses.note for uses in every if uses.note))
+    rules += ["Sections alone: buckling needs `design` in the file."] if any(map(_sections_alone, every)) else []
     notes = wrapped(" ".join([*rules, "Tension: of columns; uplift: of supports."])) if every else []
     for uses in every[: IN_SHORT.most]:
         notes += _in_words(uses)
     return IN_SHORT.of(every, notes=notes)
+
+
+def _sections_alone(uses: _Uses) -> bool:
+    return not any("member_use_max" in group.variables for group in uses.found.completed.values())
 
 
 def _in_words(uses: _Uses) -> list[str]:

@@ -14,7 +14,7 @@ from edesign.report.response.orbits import orbit_figures
 from edesign.report.response.profile_figures import profile_figures
 from edesign.report.response.support_tables import support_tables
 from edesign.report.response.torsion_tables import torsion_tables
-from edesign.report.response.use_tables import use_in_short, use_tables
+from edesign.report.response.use_tables import use_tables
 
 SHOWN = 2  # tables of statistics, mean and maximum; the others on demand
 
@@ -44,9 +44,8 @@ def response(source: Source) -> Section:
 
 
 def _members(sets: list[HistorySet]) -> list[Part]:
-    """Return how far members are used, in short, with the worst of each storey and the reactions folded."""
-    short = use_in_short(sets)
-    parts: list[Part] = [short] if short.rows else []
+    """Return how far members are used, the worst of each storey and all beyond 1, and the reactions of supports."""
+    parts: list[Part] = []
     for said, tables in (
         ("Use of columns, beams and braces, of each storey and beyond 1", tuple(use_tables(sets))),
         ("Reactions of supports for foundations", tuple(support_tables(sets))),

@@ -19,6 +19,7 @@ from edesign.report.page.sections.incremental import incremental_summary, increm
 from edesign.report.page.sections.verdicts import verdict_table, verdict_tiles
 from edesign.report.page.sections.warnings import warning_table
 from edesign.report.page.source import Source
+from edesign.report.response.use_tables import use_in_short
 from edesign.report.tables.cell import Quantity, Value
 from edesign.report.tables.column import Column, col, count, text
 from edesign.report.tables.number import significant
@@ -110,7 +111,8 @@ def summary(source: Source) -> Section:
     )
     parts += [Headlines(tiles) for tiles in rows if tiles]
     verdicts = verdict_table(source.verdicts, source.study)
-    tables = (verdicts, governing_table(source.statistics), changes_in_short([found for found, _ in source.statistics]))
+    sets = [found for found, _ in source.statistics]
+    tables = (verdicts, governing_table(source.statistics), use_in_short(sets), changes_in_short(sets))
     parts += [table for table in tables if table.rows]
     return Section("summary", "Summary", (_asked(source),), tuple(parts))
 

@@ -1,0 +1,101 @@
+"""What is told of members and supports under histories: the rule of the code, what dampers change, lines of words."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from edesign.archive.dataset import Group
+from edesign.assess.member_uses import loaded_members, support_forces
+from edesign.assess.sets import HistorySet, history_sets
+from edesign.report.response.support_tables import support_tables
+from edesign.report.response.use_tables import use_in_short, use_tables
+from edesign.study.results.recording import coordinate
+
+MEMBERS = ["C_A_1", "C_B_1", "B_1_1"]
+
+
+def history(record: int, variant: str, uses: list[float], V: float = 100e3, compression: float = 0.0) -> Group:
+    """A history with uses against buckling of three members, sections at half of it, and one support."""
+    group = Group()
+    group.attributes |= {"kind": "history", "status": "completed", "variant": variant, "level": "DBE"}
+    group.attributes |= {"record": f"r{record}", "record_checksum": str(record), "record_source": f"r{record}"}
+    for name, values in (("member", MEMBERS), ("end", ["start", "end"]), ("column", MEMBERS[:2]), ("support", ["A0"])):
+        coordinate(group, name, values, "", name)
+    coordinate(group, "support_extreme", ["most compression", "least compression", "most shear", "most moment"], "", "")
+    if variant != "bare":
+        coordinate(group, "damper", ["V_1_1"], "", "damper")
+    use = np.array(uses)
+    group.add("section_use_max", ("member", "end"), np.outer(use, [0.5, 0.4]), "1", "")
+    group.add("section_use_at", ("member", "end"), np.ones((3, 2)), "s", "")
+    group.add("member_use_max", ("member",), use, "1", "")
+    group.add("member_use_at", ("member",), np.full(3, 0.1 * record), "s", "")
+    for quantity in ("section_use", "member_use"):
+        for part, value in (("axial_force", -1e5), ("shear_force", 2e4), ("bending_moment", -3e4)):
+            values = np.multiply.outer(use, [1.0, -0.5]) * value
+            group.add(f"{quantity}_{part}", ("member", "end"), values, "N", "")
+    group.add("column_axial_force_max", ("column",), np.array([-1e4, compression]), "N", "")
+    vertical = np.array([[2.0 * V, -V, V, V]])
+    group.add("support_extreme_at", ("support", "support_extreme"), np.ones((1, 4)), "s", "")
+    group.add("support_extreme_vertical_reaction", ("support", "support_extreme"), vertical, "N", "")
+    group.add("support_extreme_horizontal_reaction", ("support", "support_extreme"), -0.1 * vertical, "N", "")
+    group.add("support_extreme_moment", ("support", "support_extreme"), 0.2 * vertical, "N*m", "")
+    return group
+
+
+def sets(count: int) -> list[HistorySet]:
+    groups = {f"bare.DBE.r{i}": history(i, "bare", [0.7, 0.9, 0.5]) for i in range(1, count + 1)}
+    for i in range(1, count + 1):
+        groups[f"damped.DBE.r{i}"] = history(i, "damped", [0.2 * i, 1.1, 0.4], V=1e5 * i, compression=5e4)
+    return list(history_sets(groups))
+
+
+def test_mean_of_seven_and_largest_of_six() -> None:
+    for count, use, V in ((7, 0.8, -400e3), (6, 1.2, -600e3)):
+        damped = sets(count)[1]
+        members = loaded_members(damped)
+        first = members[0]
+        assert (first.name, first.check, first.history) == ("C_A_1", "buckling", f"damped.DBE.r{count}")
+        assert first.use == pytest.approx(use) and first.largest == pytest.approx(0.2 * count)
+        assert (first.N, first.V, first.M) == pytest.approx((-2e4 * count, 4e3 * count, 6e3 * count))
+        assert first.at == pytest.approx(0.1 * count) and members[1].tension == pytest.approx(5e4)
+        least = support_forces(damped)[1]
+        assert (least.V, least.H[0], least.M[0]) == pytest.approx((V, -0.1 * V, -0.2 * V))  # magnitudes
+
+
+def test_what_dampers_bring_beyond_1_is_told() -> None:
+    table = use_in_short(sets(7))
+    texts = [[cell.strip() for cell in row] for row in table.texts]
+    assert texts[1] == ["damped, DBE", "1.10", "C_B_1", "0.40", "B_1_1", "50.0", "400"]
+    assert "damped, DBE: dampers bring columns beyond 1: C_B_1 1.10 (without 0.90)" in table.notes
+    assert any("mean of 7 motions (EN 1998-1, 4.3.3.4.3(3))" in note for note in table.notes)
+    assert not any("bare, DBE" in note for note in table.notes)
+    beyond = [one for one in use_tables(sets(7)) if one.name == "members_beyond_1"]
+    assert [row[:4] for row in beyond[0].texts] == [["column", "1", "C_B_1", "1.10"]] and len(beyond) == 1
+    assert beyond[0].column("without dampers") == pytest.approx([0.9])
+
+
+def test_reactions_for_the_foundation_engineer() -> None:
+    bare, damped = support_tables(sets(7))
+    assert bare.texts[1][:3] == ["A0", "least compression", "-100.0"]
+    assert damped.texts[1][:5] == ["A0", "least compression", "-400.0", "40.00", "80.00"]
+    assert "7 motions: means of the extremes" in " ".join(damped.notes)
+
+
+def test_archives_of_before_have_no_such_tables() -> None:
+    found = sets(3)
+    for one in found:
+        for group in one.histories.values():
+            for name in [name for name in group.variables if "use" in name or "support" in name]:
+                del group.variables[name]
+    assert not list(use_tables(found)) and not list(support_tables(found)) and not use_in_short(found).rows
+
+
+def test_archives_without_concurrent_forces_have_their_uses() -> None:
+    found = sets(3)
+    for one in found:
+        for group in one.histories.values():
+            for name in [name for name in group.variables if "use_" in name and name[-4:] not in ("_max", "e_at")]:
+                del group.variables[name]
+    assert np.isnan(loaded_members(found[0])[0].N)
+    assert len(list(use_tables(found))) == 3
