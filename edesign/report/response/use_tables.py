@@ -17,6 +17,8 @@ from edesign.report.tables.unit import KN, KN_M, ONE
 
 KINDS = ("column", "beam", "brace")
 MOST = 40
+NOTHING = 0.5
+"""N and N m below which a force is rounding of those beside it."""
 NAMED = 5
 """Members that a line names."""
 RULES = {"mean": "mean of {count} motions (EN 1998-1, 4.3.3.4.3(3))", "maximum": "largest of {count}"}
@@ -41,9 +43,9 @@ COLUMNS: tuple[Column[_Use], ...] = (
     col("use", ONE, "member.use", form=".2f"),
     text("by", "member.check"),
     col("largest", ONE, "member.largest", form=".2f"),
-    col("N", KN, lambda one: finite(one.member.N), 3, optional=True),
-    col("V", KN, lambda one: finite(one.member.V), 3, optional=True),
-    col("M", KN_M, lambda one: finite(one.member.M), 3, optional=True),
+    col("N", KN, lambda one: finite(one.member.N), 3, negligible=NOTHING, optional=True),
+    col("V", KN, lambda one: finite(one.member.V), 3, negligible=NOTHING, optional=True),
+    col("M", KN_M, lambda one: finite(one.member.M), 3, negligible=NOTHING, optional=True),
     col("without dampers", ONE, "bare", form=".2f", optional=True),
     text("history", "member.history", broken=1),
 )
@@ -148,14 +150,15 @@ IN_SHORT = TableSpec[_Uses](
         text("histories", lambda uses: label(uses.found)),
         *(
             column
-            for kind in KINDS
+            for kind in KINDS[:2]
             for column in (
                 col(f"{kind}s", ONE, partial(_worst, kind), form=".2f", optional=True),
                 text("of", partial(_worst_name, kind), name=f"worst {kind}", optional=True),
             )
         ),
-        col("tension", KN, "tension", 3, negligible=0.5, bare=True, optional=True),
-        col("uplift", KN, "uplift", 3, negligible=0.5, bare=True, optional=True),
+        col("braces", ONE, partial(_worst, "brace"), form=".2f", optional=True),
+        col("tension", KN, "tension", 3, negligible=NOTHING, silent=True, optional=True),
+        col("uplift", KN, "uplift", 3, negligible=NOTHING, silent=True, optional=True),
     ),
     most=12,
     cut="and {more} more, among all tables",
@@ -172,7 +175,7 @@ def use_in_short(sets: Sequence[HistorySet]) -> Table:
     every = _uses(sets)
     rules = list(dict.fromkeys(uses.note for uses in every if uses.note))
     rules += ["Sections alone: buckling needs `design` in the file."] if any(map(_sections_alone, every)) else []
-    notes = wrapped(" ".join([*rules, "Tension: of columns; uplift: of supports."])) if every else []
+    notes = wrapped(" ".join([*rules, "Tension of columns and uplift of supports in kN."])) if every else []
     for uses in every[: IN_SHORT.most]:
         notes += _in_words(uses)
     return IN_SHORT.of(every, notes=notes)
