@@ -87,7 +87,6 @@ def place_forces(
     Of the motions the mean counts where there are enough of them, else the largest.
 
     Args:
-        found: histories of a variant at a level.
         storeys: with dampers, from 1.
         names: of the dampers that count; None: all.
         rules: of the code in force, from how many motions on the mean counts.

@@ -24,8 +24,6 @@ def force_ratio(law: LawValues, stroke: float, velocity: float | None, on_stroke
         law: with its parameters, at its own size.
         stroke: amplitude of its deformation, m.
         velocity: largest one, m/s; None: not known.
-        on_stroke: factor on the stroke.
-        on_velocity: factor on the velocity.
 
     Returns:
         The ratio; nan where the law depends on a velocity that is not known.

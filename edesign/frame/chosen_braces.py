@@ -47,7 +47,6 @@ def candidates(
     """Return the sections that braces of a length may have, the lightest first.
 
     Args:
-        asked: what to choose from.
         length: of a brace between its nodes, m.
         keys: of the damper or design.
         where: begins messages: the place of the key `brace`.
@@ -87,7 +86,6 @@ def chosen_brace(sites: DamperSites, asked: ChosenBrace, place: DevicePlace, key
 
     Args:
         asked: what to choose from, and what the braces hold.
-        keys: of the damper.
         where: begins messages: the place of the key `brace`.
 
     Raises:

@@ -98,7 +98,6 @@ def check_brace(project: AnalysisFile, problems: Problems, keys: Keys, brace: ob
     """Check braces that have a section, or get one: they have a length, and a material that is there.
 
     Args:
-        keys: of the brace.
         brace: in series with dampers.
         kind: how these stand.
     """

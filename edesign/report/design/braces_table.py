@@ -62,8 +62,6 @@ def braces_table(group: Group, sets: Sequence[HistorySet], variants: Mapping[str
     """Return the check of the braces under the estimated forces, and under those of histories.
 
     Args:
-        group: of a design.
-        sets: histories by variant and level.
         variants: that have the design, by name.
         rules: of the code in force, for statistics over motions.
     """

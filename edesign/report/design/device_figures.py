@@ -189,7 +189,6 @@ def _points(axis: Axes, asked: Sequence[Asked], which: int, scale: float) -> Non
 
     Args:
         which: 0: the stroke is along the axis, 1: the velocity.
-        scale: on it.
     """
     marks: Mapping[int, str] = dict(enumerate("osD^v"))
     for i, one in enumerate(asked):

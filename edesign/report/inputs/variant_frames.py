@@ -20,7 +20,6 @@ class VariantFrames:
     """Projects or buildings of the variants of an archive, and their frames.
 
     Args:
-        project: or building whose text it has.
         study: that its text is of; None: it is the archive of a project.
     """
 

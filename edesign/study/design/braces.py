@@ -214,7 +214,6 @@ def history_forces(
         histories: results of the histories of a round, by name.
         level: hazard level that counts.
         storeys: with dampers, from 1.
-        own: names of the dampers of the design.
         rules: of the code in force, from how many motions on the mean counts.
     """
     at = {name: group for name, group in histories.items() if str(group.attributes.get("level") or "") == level}

@@ -265,7 +265,6 @@ def sized_dampers(building: Building, spec: SizedDesign, brace: Brace, size: Map
 
     Args:
         spec: the design; its temperature, if it has one, becomes that of its law.
-        brace: of the dampers.
         size: keys of a device that say how large it is, such as `layer_area` or `scale`.
     """
     project = with_temperature(building.project, spec.law, spec.temperature)
