@@ -99,7 +99,7 @@ def sheet(
     if page is None and pdf is None:
         return
     with optional("the report", "the sheet stands"):
-        report = sheet_page(title, tests, runs, judged, asked, notes, document)
+        report = sheet_page(title, tests, runs, judged, asked, notes, document, designs)
         if page is not None:
             with optional(str(page), f"the sheet stands{earlier(page)}"):
                 write_html(report, page)

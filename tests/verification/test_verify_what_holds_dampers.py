@@ -96,6 +96,10 @@ def test_a_device_gets_the_lightest_section_that_holds_it() -> None:
     assert device.brace_bar.section == "SHS120x4"
     assert device.brace_bar.strut.resistance == pytest.approx(resistance(0.12, 0.004, 4.0), rel=2e-3)
     # 120x4 has 1840 mm2; 80 kN/mm along the damper need 80 / (2 x 210 x 0.36 / 4000) = 2116 mm2, which 120x8 has
+    # slenderness of 120x4: i = 47.3 mm, 4000 / 47.3 / 76.4 = 1.11
+    slim = brace.replace("force", "largest_slenderness: 1.1, force").replace("SHS120x8", "SHS140x5")
+    (stout,) = make_frame(project("chevron", slim), dampers=True).devices
+    assert stout.brace_bar is not None and stout.brace_bar.section == "SHS140x5"
     stiff = brace.replace("force", "stiffness: 80 kN/mm, force")
     (stiffer,) = make_frame(project("chevron", stiff), dampers=True).devices
     assert stiffer.brace_bar is not None and stiffer.brace_bar.section == "SHS120x8" and stiffer.brace > 80e6
@@ -107,7 +111,7 @@ def test_a_device_gets_the_lightest_section_that_holds_it() -> None:
         ("{choose: [SHS50x5], material: S355, force: 300 kN}", "the strongest, SHS50x5, has N_b,Rd = "),
         ("{choose: [SHS100x4], material: S355, force: 9 kN, stiffness: 1 MN/mm}", "the stiffest, SHS100x4, has"),
         ("{choose: [CHS], material: S355, force: 9 kN}", "`CHS` has no list of sizes"),
-        ("{choose: [SHS300x4], material: S355, force: 9 kN}", "are of class 4 in compression"),
+        ("{choose: [SHS300x4], material: S355, force: 9 kN}", "SHS300x4 are of class 4 in compression"),
         ("{choose: [SHS100x4], material: elastic, force: 9 kN}", "does not yield"),
     ],
 )

@@ -168,12 +168,14 @@ class AnyChosenBrace(Model):
         material: one of `materials`, that yields.
         buckling_length_factor: buckling length over the length between nodes, at least 0.1.
         overstrength: factor on the force of the dampers that the braces hold.
+        largest_slenderness: largest non-dimensional slenderness; without the key strength alone decides.
     """
 
     choose: SectionChoice
     material: str
     buckling_length_factor: BucklingLengthFactor = 1.0
     overstrength: Raised | None = None
+    largest_slenderness: PositiveFactor | None = None
 
 
 class ChosenBrace(AnyChosenBrace):

@@ -1,7 +1,8 @@
-"""Figures of a laboratory's sheet: the loops of each run, and its properties over the cycles."""
+"""Figures of a laboratory's sheet: force against velocity, the loops of each run, its properties over the cycles."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -9,10 +10,13 @@ import numpy as np
 from edesign.damper.testing.acceptance import Acceptance
 from edesign.damper.testing.device_cycles import Run
 from edesign.damper.testing.measured_histories import DamperTest
-from edesign.report.drawing.style import AFTER, BEFORE, TARGET, new_figure, styled
+from edesign.report.drawing.style import AFTER, BEFORE, MEAN, TARGET, legend_above, new_figure, styled
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+
+THIRD = 2
+"""Index of the cycle by which standards judge."""
 
 
 @styled
@@ -54,3 +58,41 @@ def run_figure(test: DamperTest, run: Run, asked: Acceptance) -> Figure:
     over_cycles.set_ylim(low, high + 0.15 * (high - low))  # room for the legend
     over_cycles.legend(loc="upper right", ncols=3)
     return figure
+
+
+@styled
+def force_velocity_figure(runs: Sequence[Run], designs: Sequence[Run | None], tolerance: float) -> Figure:
+    """Draw the largest forces of the third cycle of each run against its largest velocity, beside those of the law.
+
+    The velocity is that of a sine of the amplitude and frequency of the cycle.
+
+    Args:
+        runs: of a velocity-dependent device.
+        designs: the same runs by the law; None: it gives no force.
+        tolerance: of the force from that of the law.
+    """
+    figure, ((axis,),) = new_figure(1, 1, 4.2, 2.8)
+    by_law = sorted(
+        (_velocity(run), 0.5e-3 * (design.loops.largest[THIRD] - design.loops.smallest[THIRD]))
+        for run, design in zip(runs, designs, strict=True)
+        if design is not None
+    )
+    if by_law:
+        v, force = np.array(by_law).T
+        label = f"law +-{100.0 * tolerance:g} %"
+        axis.errorbar(v, force, tolerance * force, color=AFTER, lw=0.8, capsize=4.0, marker="_", ms=9.0, label=label)
+    for sign, mark, label in ((1.0, "o", "measured, F+"), (-1.0, "s", "measured, F-")):
+        peaks = [run.loops.largest if sign > 0.0 else run.loops.smallest for run in runs]
+        sizes = [1e-3 * sign * float(peak[THIRD]) for peak in peaks]
+        velocities = [_velocity(run) for run in runs]
+        axis.plot(velocities, sizes, marker=mark, ms=4.0, mfc="white", mec=MEAN, color=MEAN, ls="none", label=label)
+    axis.set_xlim(left=0.0)
+    axis.set_ylim(bottom=0.0)
+    axis.set_xlabel("largest velocity (m/s)")
+    axis.set_ylabel("largest force (kN)")
+    legend_above(axis)
+    return figure
+
+
+def _velocity(run: Run) -> float:
+    return float(2.0 * np.pi * run.frequency[THIRD] * run.loops.amplitude[THIRD])

@@ -103,7 +103,7 @@ def _band(study: Study, design: str, variant: str) -> tuple[float, float, str]:
     low, high = (1.0, 1.0) if bounds is None else property_factors(bounds)
     if low < high:
         return low, high, f"the bounds of its properties, {low:g} to {high:g}"
-    tolerance = f"a tolerance of {100.0 * TOLERANCE:g} % on its force (NTC 2018, 11.9)"
+    tolerance = f"a tolerance of {100.0 * TOLERANCE:g} % on its force"
     return 1.0 - TOLERANCE, 1.0 + TOLERANCE, tolerance
 
 
