@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import overload
 
 from edesign.codes.ec8 import ElasticSpectrum, NationalParameters, VerticalSpectrum
-from edesign.codes.fema356.objectives import OBJECTIVES
+from edesign.codes.fema356.objectives import OBJECTIVES, is_of_level
 from edesign.codes.motion_sets import SetRules
 from edesign.codes.ntc2018.parameters import ntc_parameters
 from edesign.codes.registry import find_code
@@ -20,8 +20,6 @@ from edesign.ground_motion.seismic_action.user import UserAction
 from edesign.project.actions.hazard import AsceHazard, EC8Hazard, NtcHazard, UserHazard
 from edesign.project.actions.hazard_base import Hazard
 from edesign.project.analysis_file import AnalysisFile
-
-_SAME_PROBABILITY = 0.01  # relative: 475 years are 9.992 %, 72 years 50.06 %
 
 _ACTIONS: dict[type[Hazard], Callable[..., SeismicAction]] = {
     EC8Hazard: EC8Action,
@@ -157,8 +155,8 @@ def factor_of_level(hazard: Hazard, level: str) -> float:
 def objective_level(letter: str, hazard: Hazard | None) -> str | None:
     """Return the name of the hazard level of an objective, None if the hazard has none.
 
-    A level counts with its probability in 50 years, as the file states it or as its return period has it; levels given
-    by a factor, an importance class or a risk have none.
+    A level counts with its probability in 50 years, as the file states it or as its return period has it, within what
+    rounding of return periods makes; levels given by a factor, an importance class or a risk have none.
 
     Args:
         hazard: the seismic action; None: the project has none.
@@ -168,7 +166,7 @@ def objective_level(letter: str, hazard: Hazard | None) -> str | None:
     wanted, action = OBJECTIVES[letter].probability, action_of(hazard)
     for name in hazard.levels:
         probability = action.probability(name)
-        if probability is not None and abs(probability - wanted) <= _SAME_PROBABILITY * wanted:
+        if probability is not None and is_of_level(probability, wanted):
             return name
     return None
 

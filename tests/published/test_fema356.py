@@ -8,12 +8,13 @@ S275.
 from __future__ import annotations
 
 import dataclasses
+import math
 
 import pytest
 
 from edesign.assess.members import frame_members
 from edesign.codes.fema356.drift import PERFORMANCE_LEVELS, drift_limits
-from edesign.codes.fema356.objectives import OBJECTIVES
+from edesign.codes.fema356.objectives import OBJECTIVES, PROBABILITIES, TOLERANCE, is_of_level, return_period
 from edesign.codes.fema356.sections import KSI, ISection
 from edesign.codes.fema356.steel import beam_limits, column_limits, column_rotations
 from edesign.codes.fema356.strength import beam_yield_rotation, column_yield_rotation, lower_bound_axial_strength
@@ -149,6 +150,22 @@ def test_drifts_of_table_c1_3() -> None:
     assert limits == [(0.007, 0.002), (0.025, 0.01), (0.05, 0.05)]  # thesis Table 5.5; 0.2 % stands for negligible
     with pytest.raises(InputError, match="did you mean `LS`"):
         drift_limits("ls")
+
+
+def test_return_periods_of_hazard_levels() -> None:
+    """FEMA 356, C1.3: 72, 225, 474 and 2475 years, rounded to 75, 225, 500 and 2500; 500 is the furthest, 5.4 %.
+
+    1 - exp(-50/500) = 9.516 %, and 712 years (SLV of NTC 2018 in class of use III) are of no level.
+    """
+    assert [round(return_period(p)) for p in PROBABILITIES] == [72, 224, 475, 2475]
+    assert pytest.approx(500.0 / 474.56 - 1.0, rel=1e-3) == TOLERANCE
+
+    def of(years: float) -> list[float]:
+        return [p for p in PROBABILITIES if is_of_level(-math.expm1(-50.0 / years), p)]
+
+    rounded = {72.0: 0.5, 75.0: 0.5, 225.0: 0.2, 475.0: 0.1, 500.0: 0.1, 2475.0: 0.02, 2500.0: 0.02}
+    assert all(of(years) == [p] for years, p in rounded.items())
+    assert of(712.0) == of(1000.0) == of(95.0) == of(43.0) == []
 
 
 def test_objectives_of_thesis_table_5_4() -> None:

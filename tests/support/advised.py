@@ -1099,7 +1099,7 @@ OTHER_PARTS = (
     _row(
         "study",
         ("objectives: [h]", "objectives: [a]"),
-        "objective a needs a hazard level of 50 % in 50 years, and the project has none; add to `hazard: levels`",
+        "objective a needs a hazard level of 50 % in 50 years, T_R = 72 years within 5.4 %, and the project has none",
         ("DBE: {probability: 10 %}", "often: {return_period: 72 years}, DBE: {probability: 10 %}"),
     ),
     _row(

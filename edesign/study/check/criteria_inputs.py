@@ -5,16 +5,18 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from edesign.assess.statistics import CODES, code_statistic, statistic
-from edesign.codes.fema356.objectives import OBJECTIVES
+from edesign.codes.fema356.objectives import OBJECTIVES, TOLERANCE, return_period
 from edesign.codes.rule_check import with_standard
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import action_of, objective_level, rules_in_force
 from edesign.ground_motion.sources import Found
 from edesign.project.actions.hazard import EC8Hazard, UserHazard
+from edesign.project.actions.hazard_base import Hazard
 from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.analysis.outputs import HistoryKind, Outputs
 from edesign.project.criteria.criteria import QuantityCriterion
 from edesign.project.dampers.verification import AnyVerify
+from edesign.project.reading.problems import listed
 from edesign.project.study.study import Study, warm_variant
 from edesign.study.plan.study_plan import make_study_plan, verification_records
 
@@ -54,26 +56,39 @@ def _check_objectives(study: Study) -> None:
     for i, letter in enumerate(study.objectives):
         if objective_level(letter, hazard) is not None:
             continue
-        probability = f"{100 * OBJECTIVES[letter].probability:g} %"
+        wanted = OBJECTIVES[letter].probability
+        probability = f"{100 * wanted:g} %"
+        known = [f"`{name}` has {100 * p:.3g} %, T_R = {return_period(p):.0f} years" for name, p in _rarities(hazard)]
         if hazard is None:
             has = "and the project has no `hazard`; give it one with such a level"
         elif isinstance(hazard, EC8Hazard):
-            has = f"and the project has none; add to `hazard: levels` one with `probability: {probability}`"
+            others = f": {listed(known)}" if known else ", as levels by class or factor say no probability"
+            has = f"and the project has none{others}; add to `hazard: levels` one with `probability: {probability}`"
         elif isinstance(hazard, UserHazard):
             of = "a `spectrum`" if hazard.own_shapes else "a `factor`"
-            has = f"and the project has none; add to `hazard: levels` one with {of} and `probability: {probability}`"
+            others = f": {listed(known)}" if known else ""
+            add = f"add to `hazard: levels` one with {of} and `probability: {probability}`"
+            has = f"and the project has none{others}; {add}"
         else:
-            rare = [(name, action_of(hazard).probability(name)) for name in hazard.levels]
-            of_50 = [f"`{name}` {100 * known:.3g} %" for name, known in rare if known is not None]
-            known_as = f"has {', '.join(of_50)}" if of_50 else "has levels of no known probability"
+            names = "`, `".join(hazard.levels)
+            none = f"`{names}` of `code: {hazard.code}` aim at a risk of collapse, and have no probability"
             has = (
-                f"and `code: {hazard.code}` {known_as}; leave the objective out, or give the spectra as tables "
+                f"and {listed(known) if known else none}; leave the objective out, or give the spectra as tables "
                 "(`code: user`), whose levels may state their `probability`"
             )
         raise InputError(
             f"{study.where('objectives', i)}: objectives[{i}]: objective {letter} needs a hazard level of "
-            f"{probability} in 50 years, {has} [E-CRIT-02]"
+            f"{probability} in 50 years, T_R = {return_period(wanted):.0f} years within {100 * TOLERANCE:.2g} %, {has}"
+            " [E-CRIT-02]"
         )
+
+
+def _rarities(hazard: Hazard | None) -> list[tuple[str, float]]:
+    """The probabilities of exceedance in 50 years of the levels that have one."""
+    if hazard is None:
+        return []
+    of = action_of(hazard)
+    return [(name, known) for name in hazard.levels if (known := of.probability(name)) is not None]
 
 
 def too_few_motions(study: Study, name: str) -> list[str]:
