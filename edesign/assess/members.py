@@ -1,18 +1,16 @@
-"""Plastic rotations of a frame's members over what FEMA 356 allows them."""
+"""Plastic rotations of a frame's members over what performance levels allow them."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass
-from functools import cached_property
-from typing import Generic, Literal, TypeVar, cast
+from dataclasses import dataclass, replace
+from typing import Generic, TypeVar, cast
 
 from edesign.archive.dataset import Group
+from edesign.assess.acceptance import ACCEPTANCE, FrameMember, Kind
 from edesign.assess.envelopes import peak
 from edesign.assess.spread import stored_dims
-from edesign.codes.fema356.sections import ISection
-from edesign.codes.fema356.steel import RotationLimits, beam_rotations, column_rotations
 from edesign.codes.fema356.strength import lower_bound_axial_strength
 from edesign.frame.sections.i_shape import full_i_section, i_section
 from edesign.frame.sections.own_section import section_of
@@ -23,58 +21,7 @@ from edesign.project.project import Project
 from edesign.project.study.study import Study, own_variant
 from edesign.space.structure.steel_by_thickness import with_steel_by_thickness
 
-Kind = Literal["column", "beam"]
-
-ELASTIC_ROTATION = 0.001
-"""Plastic rotation, rad, up to which a force-controlled column counts as elastic.
-
-Fibre sections yield from the outside inwards: a plastic rotation of this size is a section whose outer fibres have
-yielded, about a tenth of theta_y, and no hinge.
-"""
-
-
-@dataclass(frozen=True)
-class FrameMember:
-    """Column or beam with what FEMA 356 asks of it.
-
-    Attributes:
-        storey: of a column; of a beam the one below its floor.
-        length: between the nodes, m; rigid ends are not deducted.
-        strength: P_CL of a column, N; infinite for a beam.
-        axis: about which its rotation is limited: "y" of a member of a building, "" of a plane frame, which has one.
-    """
-
-    name: str
-    kind: Kind
-    storey: int
-    length: float
-    section: ISection
-    strength: float = math.inf
-    axis: str = ""
-
-    def limits(self, compression: float) -> RotationLimits | None:
-        """Return the allowed plastic rotations, rad; None for a force-controlled column.
-
-        Args:
-            compression: P, N; not negative.
-        """
-        if self.kind == "beam":
-            return self._of_beam
-        return column_rotations(self.section, self.length, compression, self.strength)
-
-    def allowed(self, level: str, compression: float) -> float:
-        """Return the plastic rotation that a performance level allows, rad; a force-controlled column stays elastic.
-
-        Args:
-            level: IO, LS or CP.
-            compression: P, N; not negative.
-        """
-        limits = self.limits(compression)
-        return ELASTIC_ROTATION if limits is None else limits.allowed(level)
-
-    @cached_property
-    def _of_beam(self) -> RotationLimits:
-        return beam_rotations(self.section, self.length)
+AXIAL_FORCE = "column_axial_force"
 
 
 @dataclass(frozen=True)
@@ -85,7 +32,8 @@ class MemberUsage:
         ratio: the level is met up to 1.
         rotation: largest plastic rotation of the member's ends, rad.
         allowed: rad.
-        axial_ratio: P/P_CL with the peak compression, 0 for beams.
+        axial_ratio: of a column, as the standard has it, P/P_CL with the peak compression in FEMA 356; 0 for beams.
+        elastic: why the standard allows no plastic rotation, "" where it allows one.
         axis: about which it rotates, "" in a plane frame.
         other: largest rotation about the weak axis, which nothing limits, rad.
     """
@@ -95,6 +43,7 @@ class MemberUsage:
     rotation: float
     allowed: float
     axial_ratio: float = 0.0
+    elastic: str = ""
     axis: str = ""
     other: float = 0.0
 
@@ -185,6 +134,7 @@ def member_usages(
     level: str,
     kinds: Collection[Kind] = ("column", "beam"),
     storeys: Collection[int] | None = None,
+    standard: str = "fema356",
 ) -> list[MemberUsage] | None:
     """Return the usage of each member by one history, in the order of the frame.
 
@@ -193,9 +143,10 @@ def member_usages(
 
     Args:
         members: as `frame_members` gives them.
-        level: IO, LS or CP.
+        level: a performance level of the standard.
         kinds: which members count.
         storeys: only members of these; None: all.
+        standard: a key of `ACCEPTANCE`.
 
     Returns:
         The usages; None if the history has no plastic rotations.
@@ -218,17 +169,17 @@ def member_usages(
             member = members.get(str(label))
             if member is not None and (storeys is None or member.storey in storeys):
                 compression = of_columns.get(member.name, 0.0)
-                found.append(_usage(member, rotation, other, compression, level))
+                found.append(_usage(member, rotation, other, compression, level, standard))
     return found if stored else None
 
 
-def _usage(member: FrameMember, rotation: float, other: float, compression: float, level: str) -> MemberUsage:
-    allowed, axis = member.allowed(level, compression), member.axis
-    ratio = compression / member.strength if member.kind == "column" else 0.0
-    if other > rotation and member.kind == "column" and member.limits(compression) is None:
+def _usage(member: FrameMember, rotation: float, other: float, compression: float, level: str, of: str) -> MemberUsage:
+    limits = ACCEPTANCE[of](member, compression)
+    allowed, axis = limits.rotation(level), member.axis
+    if other > rotation and member.kind == "column" and limits.elastic:
         rotation, axis = other, "z"  # it stays elastic about both
     usage = rotation / allowed if allowed > 0.0 else math.inf if rotation > 0.0 else 0.0
-    return MemberUsage(member, usage, rotation, allowed, ratio, axis, other)
+    return MemberUsage(member, usage, rotation, allowed, limits.axial_ratio, limits.elastic, axis, other)
 
 
 def compressions(group: Group) -> dict[str, float]:
@@ -237,8 +188,35 @@ def compressions(group: Group) -> dict[str, float]:
     Args:
         group: of the history in the archive.
     """
-    lowest = group.variables.get("column_axial_force_min")  # tension is positive
+    lowest = group.variables.get(f"{AXIAL_FORCE}_min")  # tension is positive
     if lowest is None:
         return {}
     names = group.coords["column"].values
     return {str(name): max(-float(value), 0.0) for name, value in zip(names, lowest.values, strict=True)}
+
+
+def gravity_states(groups: Mapping[str, Group]) -> dict[str, Group]:
+    """Return the results of gravity analyses among those of all analyses, by name.
+
+    Args:
+        groups: of the archive.
+    """
+    return {
+        name: group
+        for name, group in groups.items()
+        if group.attributes.get("kind") == "gravity" and f"{AXIAL_FORCE}_final" in group.variables
+    }
+
+
+def under_gravity(members: dict[str, FrameMember], group: Group | None) -> dict[str, FrameMember]:
+    """Return members with the compression of columns in a gravity analysis; as they are without one.
+
+    Args:
+        members: of the frame, by name.
+        group: results of the gravity analysis of their variant.
+    """
+    if group is None:
+        return members
+    forces = zip(group.coords["column"].values, group.variables[f"{AXIAL_FORCE}_final"].values, strict=True)
+    found = {str(name): max(-float(force), 0.0) for name, force in forces}
+    return {name: replace(member, gravity=found.get(name)) for name, member in members.items()}

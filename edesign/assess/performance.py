@@ -1,19 +1,20 @@
-"""Structural performance levels of FEMA 356 that histories meet, by drift and by plastic rotations of members."""
+"""Structural performance levels that histories meet, by drift and by plastic rotations of members."""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
-from typing import Literal
 
 from edesign.archive.dataset import Group
+from edesign.assess.acceptance import ELASTIC_ROTATION, FrameMember, Kind
 from edesign.assess.measures import located_measure, place_in_words
-from edesign.assess.members import ELASTIC_ROTATION, FrameMember, Kind, member_usages
+from edesign.assess.members import member_usages
 from edesign.assess.sets import TARGET, HistorySet
 from edesign.assess.statistics import STATISTICS, statistics
 from edesign.codes.fema356.drift import PERFORMANCE_LEVELS, drift_limits
+from edesign.project.criteria.performance import By
+from edesign.project.notation.names import member_kind
 
-By = Literal["drift", "members", "both"]
 BEYOND = "beyond CP"
 """What stands for the level of a response that meets none."""
 
@@ -27,7 +28,7 @@ class Usage:
         storey: where it governs.
         member: the column or beam that governs, "" for a drift.
         rotation: largest plastic rotation of the member, rad.
-        axial_ratio: P/P_CL of a column that is force-controlled, above 0.5; None: nothing is.
+        elastic: why the member has to stay elastic, as a force-controlled column has; "" where it has not.
         line, direction: of a drift of a building, "" where there is none.
         axis: about which the member of a building rotates, "" where there is none.
         not_judged: largest plastic rotation about a weak axis, rad, and its member; 0 and "" where nothing rotates so.
@@ -38,7 +39,7 @@ class Usage:
     storey: int | None = None
     member: str = ""
     rotation: float = 0.0
-    axial_ratio: float | None = None
+    elastic: str = ""
     line: str = ""
     direction: str = ""
     axis: str = ""
@@ -51,13 +52,13 @@ class Usage:
 
     @property
     def of_force(self) -> str:
-        """Remark on a force-controlled column, which has to stay elastic; "" for anything else."""
-        if self.axial_ratio is None:
+        """Remark on a member that has to stay elastic, as a force-controlled column; "" for anything else."""
+        if not self.elastic:
             return ""
-        column = f"column {self.member} is force-controlled (P/P_CL = {self.axial_ratio:.2f})"
+        member = f"{member_kind(self.member)} {self.member} {self.elastic}"
         if self.ratio <= 1.0:
-            return f"{column} and elastic"
-        return f"{column} and yields: plastic rotation {1e3 * self.rotation:.3g} mrad"
+            return f"{member} and {'elastic' if self.elastic.startswith('is') else 'is elastic'}"
+        return f"{member} and yields: plastic rotation {1e3 * self.rotation:.3g} mrad"
 
 
 @dataclass(frozen=True)
@@ -116,30 +117,31 @@ def member_performance(
     level: str,
     kinds: Collection[Kind] = ("column", "beam"),
     storeys: Collection[int] | None = None,
+    standard: str = "fema356",
 ) -> Usage | None:
     """Return the plastic rotation of the member that governs over what a level allows it; None without any.
 
     Args:
         group: of the analysis in the archive.
         members: of the frame, by name.
-        level: IO, LS or CP.
+        level: a performance level of the standard.
         kinds: of the members that count.
         storeys: whose members count; None: all.
+        standard: whose level it is, a key of `ACCEPTANCE`.
     """
-    usages = member_usages(group, members, level, kinds, storeys)
+    usages = member_usages(group, members, level, kinds, storeys, standard)
     if not usages:
         return None
     worst = max(usages, key=lambda usage: usage.ratio)
     member = worst.member
     weak = max(usages, key=lambda usage: usage.other)
-    force_controlled = member.kind == "column" and member.limits(worst.axial_ratio * member.strength) is None
     return Usage(
         worst.ratio,
         "plastic rotation",
         member.storey,
         member.name,
         worst.rotation,
-        worst.axial_ratio if force_controlled else None,
+        worst.elastic,
         axis=worst.axis,
         not_judged=(weak.other, weak.member.name) if weak.other > ELASTIC_ROTATION else (0.0, ""),
     )
@@ -152,21 +154,23 @@ def usage(
     by: By = "both",
     kinds: Collection[Kind] = ("column", "beam"),
     storeys: Collection[int] | None = None,
+    standard: str = "fema356",
 ) -> Usage | None:
     """Return the usage of a level by drift, by members, or the larger of both; None if one that counts is missing.
 
     Args:
         group: of the analysis in the archive.
         members: of the frame, by name.
-        level: IO, LS or CP.
-        by: "drift", "members" or "both".
+        level: a performance level of the standard.
+        by: "drift", "members" or "both"; FEMA 356 alone has levels by drift.
         storeys: that count; None: all.
+        standard: whose level it is, a key of `ACCEPTANCE`.
     """
     found = []
     if by != "members":
         found.append(drift_performance(group, level, storeys))
     if by != "drift":
-        found.append(member_performance(group, members, level, kinds, storeys))
+        found.append(member_performance(group, members, level, kinds, storeys, standard))
     there = [item for item in found if item is not None]
     if len(there) < len(found):
         return None

@@ -8,12 +8,11 @@ from functools import partial
 from typing import Any
 
 from edesign.archive.dataset import Group
+from edesign.assess.acceptance import FrameMember, Kind
 from edesign.assess.measures import Located, lacking_measure, located_measure
-from edesign.assess.members import FrameMember, Kind
 from edesign.assess.performance import usage
 from edesign.assess.quantities import lacking, located_quantity, missing_history
 from edesign.assess.spread import EVERYWHERE
-from edesign.codes.fema356.drift import PERFORMANCE_LEVELS
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.criteria.criteria import (
     Criterion,
@@ -25,6 +24,7 @@ from edesign.project.criteria.criteria import (
 )
 from edesign.project.criteria.criterion_quantities import QUANTITIES, SELECTIONS
 from edesign.project.criteria.measures import InSpace, short_name
+from edesign.project.criteria.performance import PERFORMANCE_STANDARDS
 from edesign.project.notation.names import storey_of
 from edesign.project.notation.selections import NumberSelection
 
@@ -170,10 +170,11 @@ def _of_what(criterion: QuantityCriterion) -> str:
 def _of_performance(
     criterion: PerformanceCriterion, members: Mapping[str, FrameMember], project: AnalysisFile
 ) -> Requirement:
-    storeys, level, by, of = _numbers(criterion.storeys, project), criterion.performance, criterion.by, criterion.of
+    storeys, level, by, of = _numbers(criterion.storeys, project), criterion.performance, criterion.ways, criterion.of
+    standard = PERFORMANCE_STANDARDS[criterion.standard]
 
     def place(group: Group) -> Located | None:
-        found = usage(group, members, level, by, KINDS[of], storeys)
+        found = usage(group, members, level, by, KINDS[of], storeys, criterion.standard)
         if found is None:
             return None
         return Located(
@@ -189,7 +190,8 @@ def _of_performance(
 
     ways = {"drift": "drift", "members": "plastic rotation", "both": "drift and plastic rotation"}
     whose = f" of {of}" if by != "drift" and of != "all" else ""
-    words = f"{PERFORMANCE_LEVELS[level]} by {ways[by]}{whose}"
+    whom = "" if criterion.standard == "fema356" else f" of {standard.name}"
+    words = f"{standard.levels[level]}{whom} by {ways[by]}{whose}"
     return Requirement(criterion.name, words, criterion.statistic, place, 1.0, None, DEMAND_OVER_CAPACITY)
 
 

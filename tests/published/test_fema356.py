@@ -45,7 +45,7 @@ LOADED_B = (1, 1.5, 0.2, 0.25, 0.5, 0.8, 1.2, 1.2)
 
 def section(flange: float, web: float, ksi: float = 36.0) -> ISection:
     """A section of A36 steel, sqrt(F_ye) = 6, whose slenderness alone matters."""
-    return ISection(flange, web, 0.01, 1e-4, 3e-5, 1e-3, 2e11, ksi * KSI, ksi * KSI)
+    return ISection(flange, web, 0.01, 1e-4, 3e-5, 1e-3, 2e11, ksi * KSI, ksi * KSI, flange, 0.01)
 
 
 def loaded_a(ratio: float) -> tuple[float, ...]:

@@ -22,6 +22,8 @@ class ISection:
         E: modulus of elasticity, Pa.
         expected_yield: F_ye, Pa.
         lower_bound_yield: F_yLB, Pa.
+        flange_outstand: c / t_f, c being the outstand of a flange beyond the fillet.
+        web_thickness: m.
     """
 
     flange_slenderness: float
@@ -33,6 +35,8 @@ class ISection:
     E: float
     expected_yield: float
     lower_bound_yield: float
+    flange_outstand: float
+    web_thickness: float
 
     @property
     def yield_axial_force(self) -> float:

@@ -66,6 +66,8 @@ def i_section(project: Project, run: ColumnRun | BeamRun) -> ISection | None:
         E=material.E,
         expected_yield=material.fy,
         lower_bound_yield=material.fy,
+        flange_outstand=(plates.width - plates.web - 2.0 * plates.radius) / (2.0 * plates.flange),
+        web_thickness=plates.web,
     )
 
 
@@ -87,6 +89,8 @@ def full_i_section(section: SteelSection, E: float, fy: float) -> ISection:
         E=E,
         expected_yield=fy,
         lower_bound_yield=fy,
+        flange_outstand=(section.b - section.tw - 2.0 * section.r) / (2.0 * section.tf),
+        web_thickness=section.tw,
     )
 
 

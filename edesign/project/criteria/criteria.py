@@ -25,6 +25,7 @@ from edesign.project.criteria.measures import (
     add_limits,
     parse_limit,
 )
+from edesign.project.criteria.performance import PERFORMANCE_STANDARDS, By, PerformanceLevel, Standard
 from edesign.project.document import LONGEST
 from edesign.project.notation.quantities import Kind
 from edesign.project.notation.selections import ALL_LINES, ALL_NUMBERS, Lines, Numbers
@@ -35,7 +36,6 @@ from edesign.project.reading.base import Model, refuse
 from edesign.project.reading.one_of import OneOf
 from edesign.project.reading.problems import as_seen, unknown_name
 
-PerformanceLevel = Literal["IO", "LS", "CP"]
 MemberKinds = Literal["columns", "beams", "all"]
 MembersOf = Literal["column", "beam", "brace", "column or beam"]
 Objective = Literal["a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l"]
@@ -326,24 +326,50 @@ class HingeCriterion(_Criterion):
 
 
 class PerformanceCriterion(_Criterion):
-    """A structural performance level of FEMA 356, by drifts, by plastic rotations of members, or by both.
+    """A structural performance level, by drifts, by plastic rotations of members, or by both.
 
     Attributes:
-        performance: structural performance level of FEMA 356.
-        by: whether drifts, plastic rotations of members, or both are judged.
+        standard: standard whose level it is.
+        performance: `IO`, `LS` or `CP` of FEMA 356 and ASCE/SEI 41-17; `DL`, `SD` or `NC` of EN 1998-3.
+        by: whether drifts, plastic rotations of members, or both are judged; only FEMA 356 has drifts. Without the key
+            all that the standard has limits of.
         of: members that count.
     """
 
+    standard: Standard = "fema356"
     performance: PerformanceLevel
-    by: Literal["drift", "members", "both"] = "both"
+    by: By | None = None
     of: MemberKinds = "all"
+
+    @property
+    def ways(self) -> By:
+        """What is judged."""
+        return self.by or ("both" if "both" in PERFORMANCE_STANDARDS[self.standard].tables else "members")
 
     @property
     def traits(self) -> Traits:
         """What is to be known of it."""
-        tables = {"drift": "Table C1-3", "members": "Table 5-6", "both": "Tables C1-3 and 5-6"}
-        bends = self.by != "drift" and self.of != "columns"
-        return Traits(bends_beams=bends, by_members=True, standard=f"FEMA 356, {tables[self.by]}")
+        standard = PERFORMANCE_STANDARDS[self.standard]
+        bends = self.ways != "drift" and self.of != "columns"
+        return Traits(bends_beams=bends, by_members=True, standard=f"{standard.name}, {standard.tables[self.ways]}")
+
+    @field_validator("performance")
+    @classmethod
+    def _level(cls, level: PerformanceLevel, info: ValidationInfo) -> PerformanceLevel:
+        standard = PERFORMANCE_STANDARDS.get(info.data.get("standard", ""))
+        if standard is None or level in standard.levels:
+            return level
+        others = [f"`standard: {key}`" for key, other in PERFORMANCE_STANDARDS.items() if level in other.levels]
+        known = ", ".join(f"`{name}`" for name in standard.levels)
+        raise refuse(f"`{level}` is no level of {standard.name} ({known}), but of {' and '.join(others)} [E-VALUE-03]")
+
+    @field_validator("by")
+    @classmethod
+    def _way(cls, by: By | None, info: ValidationInfo) -> By | None:
+        standard = PERFORMANCE_STANDARDS.get(info.data.get("standard", ""))
+        if by is None or standard is None or by in standard.tables:
+            return by
+        raise refuse(f"{standard.name} has no limits of drift here; leave `by` out, or write `members` [E-VALUE-03]")
 
 
 LimitCriterion = MeasureCriterion | QuantityCriterion

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive, open_archive
-from edesign.assess.members import VariantMembers
+from edesign.assess.members import VariantMembers, gravity_states
 from edesign.assess.sets import DAMAGED, NOT_RUN, TARGET, HistorySet, history_sets
 from edesign.assess.verdicts import judge
 from edesign.project.analysis_file import AnalysisFile
@@ -109,12 +109,15 @@ def read_histories(archive: Archive, groups: Mapping[str, Group] | None = None) 
 def read_judged(archive: Archive, groups: Mapping[str, Group] | None = None) -> dict[str, Group]:
     """Return all that criteria judge, by name: histories, see `read_histories`, and states at target displacements.
 
+    Beside them are the gravity analyses, whose axial forces some standards judge columns by.
+
     Args:
         groups: results of analyses by name, if they are read already; None: they are read.
     """
     groups = all_results(archive) if groups is None else groups
     targets = {name: group for name, group in groups.items() if group.attributes.get("kind") == TARGET}
-    return read_histories(archive, groups) | targets
+    found = read_histories(archive, groups) | targets
+    return found | gravity_states(groups) if found else found
 
 
 def _prefix(found: HistorySet) -> str:

@@ -8,7 +8,8 @@ from math import isinf
 from operator import itemgetter
 from typing import NamedTuple
 
-from edesign.assess.members import ELASTIC_ROTATION, VariantMembers
+from edesign.assess.acceptance import ELASTIC_ROTATION
+from edesign.assess.members import VariantMembers
 from edesign.assess.performance import SetPerformance, Usage, set_performance
 from edesign.assess.requirement import NEGLIGIBLE as NO_VALUE
 from edesign.assess.requirement import UNITS

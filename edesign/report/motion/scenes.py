@@ -9,8 +9,9 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
+from edesign.assess.acceptance import ELASTIC_ROTATION
 from edesign.assess.envelopes import peak
-from edesign.assess.members import ELASTIC_ROTATION, VariantMembers, compressions
+from edesign.assess.members import VariantMembers, compressions
 from edesign.codes.fema356.drift import PERFORMANCE_LEVELS
 from edesign.project.building.building import Building
 from edesign.project.project import Project

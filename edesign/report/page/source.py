@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
+from edesign.assess.members import gravity_states
 from edesign.assess.sets import HistorySet, history_sets, measure_statistics, target_sets
 from edesign.assess.statistics import Statistics
 from edesign.assess.verdicts import Verdict, judge
@@ -115,7 +116,8 @@ class Source:
         over_time = self.study is not None and any(one.traits.over_time for one in self.study.criteria)
         if over_time:
             return read_judged(self.archive)
-        return {name: group for found in sets for name, group in found.histories.items()}
+        judged = {name: group for found in sets for name, group in found.histories.items()}
+        return judged | gravity_states(self.groups) if judged else judged
 
     @cached_property
     def verdicts(self) -> tuple[Verdict, ...]:

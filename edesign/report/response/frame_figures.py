@@ -12,9 +12,10 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
+from edesign.assess.acceptance import ELASTIC_ROTATION
 from edesign.assess.directions import frame_view
 from edesign.assess.envelopes import peak
-from edesign.assess.members import ELASTIC_ROTATION, VariantMembers, compressions, frame_members
+from edesign.assess.members import VariantMembers, compressions, frame_members
 from edesign.codes.fema356.drift import PERFORMANCE_LEVELS
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.building.building import Building

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.assess.members import ELASTIC_ROTATION
+from edesign.assess.acceptance import ELASTIC_ROTATION
 from edesign.codes.capacity_curve import DESCENT
 from edesign.codes.fema356.drift import PERFORMANCE_LEVELS, drift_limits
 from edesign.core import Response

@@ -12,9 +12,9 @@ from itertools import pairwise
 import numpy as np
 
 from edesign.archive.dataset import Group
+from edesign.assess.acceptance import ELASTIC_ROTATION
 from edesign.assess.envelopes import peak
 from edesign.assess.measures import located_measure
-from edesign.assess.members import ELASTIC_ROTATION
 from edesign.damper.testing.specimen import LARGE_STRAIN, layer_warning
 from edesign.frame.loads import gravity_load
 from edesign.frame.masses import node_masses

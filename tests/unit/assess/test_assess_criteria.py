@@ -354,6 +354,26 @@ def test_a_force_controlled_column_may_not_turn() -> None:
     assert column is not None and column.of_force == "column C_A_1 is force-controlled (P/P_CL = 0.52) and elastic"
 
 
+def test_levels_of_other_standards() -> None:
+    one = history("damped", "DBE")
+    one.variables["column_axial_force_min"].values[:] = [-4.0e6, -8e5]  # P/P_ye = 4000/5822.3 = 0.69
+    text = "criteria: [{name: c, standard: %s, performance: %s, of: columns}]"
+    histories = {"damped.DBE.one": one}
+    (verdict,) = verdicts(text % ("asce41-17", "CP"), histories)
+    said = "column C_A_1 is force-controlled (P_G/P_ye = 0.69) and yields: plastic rotation 2 mrad"
+    assert (verdict.met, verdict.remark) == (False, said)
+    assert verdict.requirement == "Collapse Prevention of ASCE/SEI 41-17 by plastic rotation of columns"
+    (verdict,) = verdicts(text % ("en1998-3", "SD"), histories)
+    assert verdict.remark.startswith("column C_A_1 has no plastic rotation in Table B.1 (nu = 0.69) and yields")
+    # 900 kN of gravity: P_G/P_ye = 0.15458, L/r_y = 53.787, h/t_w = 24.571:
+    # b = 7.4*0.84542^2.3/(26.893 + 71.257) - 0.006 = 0.045240
+    gravity = Group(dict(one.coords), {}, {"kind": "gravity", "variant": "damped"})
+    gravity.add("column_axial_force_final", ("column",), [-9e5, -9e5], "N", "axial force")
+    (verdict,) = verdicts(text % ("asce41-17", "CP"), {**histories, "damped.gravity": gravity})
+    assert verdict.met and verdict.value == pytest.approx(0.002 / 0.045240, rel=1e-3)
+    assert verdict.governing_member == "C_A_1" and verdict.remark == ""
+
+
 def test_performance_of_a_set() -> None:
     histories = drifts(0.006, 0.02, 0.022, 0.06) | {"damped.DBE.x": history("damped", "DBE", status="failed")}
     (together,) = history_sets(histories)

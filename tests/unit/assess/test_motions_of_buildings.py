@@ -8,7 +8,8 @@ from building_examples import SMALL, building
 from unit.assess.assessed import history, part
 
 from edesign.archive.dataset import Group, Variable
-from edesign.assess.members import ELASTIC_ROTATION, frame_members, member_usages
+from edesign.assess.acceptance import ELASTIC_ROTATION
+from edesign.assess.members import frame_members, member_usages
 from edesign.assess.performance import member_performance, set_performance
 from edesign.assess.sets import history_sets, measure_statistics
 from edesign.assess.verdicts import Verdict, judge

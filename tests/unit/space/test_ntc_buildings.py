@@ -39,7 +39,7 @@ def ntc(text: str, use: str = "II", ductility: str = "medium", **limit_states: s
 
 
 def ec8_alike(text: str, ductility: str = "medium") -> str:
-    """The same building and an action of 12 m/s2 by EN 1998-1, with the partial factors of NTC 2018, Tables 2.6.I and 4.2.VII."""
+    """The same building and an action of 12 m/s2 by EN 1998-1, with the partial factors of NTC 2018."""
     T_D = 4.0 * 12.0 / G + 1.6
     spectrum = f"parameters: {{S: 1, F_0: 2.5, T_B: 0.05 s, T_C: 0.15 s, T_D: {T_D!r} s}}"
     hazard = _EC8.replace("ground: B, spectrum: 1", f"ground: A, spectrum: 1, {spectrum}").replace(
