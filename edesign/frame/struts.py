@@ -15,6 +15,7 @@ from edesign.codes.ec3.buckling import (
     IMPERFECTION,
     NO_BUCKLING,
     Curve,
+    angle_curve,
     buckling_resistance,
     critical_force,
     hollow_curve,
@@ -192,6 +193,8 @@ def _curves(section: SteelSection, fy: float) -> list[Curve]:
     """Buckling curves about the strong and the weak axis."""
     if section.kind == "other":
         return [solid_curve()] * 2
+    if section.kind == "L":
+        return [angle_curve()] * 2
     if section.kind == "I" and section.welded:
         return [welded_i_curve(section.tf, axis) for axis in ("y", "z")]
     if section.welded:

@@ -134,15 +134,23 @@ def _check_lists(building: Building) -> None:
         return
     select = building.design.select
     lists: dict[tuple[str, ...], tuple[str, ...]] = {(kind,): getattr(select.lists, kind) for kind in KINDS}
+    braces = {"braces", *(run.group for run in building.braces)}
     lists |= {("groups", group): names for group, names in select.lists.groups.items()}
     families = {DEFAULT_PRICE}
     for keys, names in lists.items():
         for place, name in enumerate(names):
             try:
-                families |= {family_of(section.name) for section in sections_of(name)}
+                found = sections_of(name)
+                families |= {family_of(section.name) for section in found}
             except InputError as error:
                 where = building.where("design", "select", "lists", *keys, place)
                 raise InputError(f"{where}: design.select.lists.{'.'.join(keys)}: {error}") from error
+            if keys[-1] not in braces and any(section.axial_alone for section in found):
+                where = building.where("design", "select", "lists", *keys, place)
+                raise InputError(
+                    f"{where}: design.select.lists.{'.'.join(keys)}: `{name}` are angles, which only braces can have; "
+                    "columns and beams have I, H or hollow sections [E-SPACE-08]"
+                )
     for family in select.prices:
         if family.upper() not in families and family != DEFAULT_PRICE:
             where = building.where("design", "select", "prices", family)

@@ -111,6 +111,28 @@ def hollow_curve(yield_stress: float, cold_formed: bool = False) -> Curve:
     return "a0" if yield_stress >= _S460 else "a"
 
 
+def angle_curve() -> Curve:
+    """Return the buckling curve of an angle about any axis.
+
+    Source: EN 1993-1-1:2005, Table 6.2.
+    """
+    return "b"
+
+
+def angle_slenderness(slenderness: float) -> float:
+    """Return the effective slenderness about v of an angle that one leg joins, not less than its own.
+
+    Stocky bars lose by the eccentricity of the joint. Slender ones would win by its stiffness, which is left out: it
+    needs two bolts and members that hold the ends.
+
+    Args:
+        slenderness: lambda_v of flexural buckling about the weak principal axis.
+
+    Source: EN 1993-1-1:2005, BB.1.2(2), lambda_eff,v = 0.35 + 0.7 lambda_v.
+    """
+    return max(slenderness, 0.35 + 0.7 * slenderness)
+
+
 def solid_curve() -> Curve:
     """Return the buckling curve of solid sections, and of U and T sections, about any axis.
 

@@ -106,6 +106,20 @@ def tubular_limits(epsilon: float) -> tuple[float, float, float]:
     return 50.0 * epsilon**2, 70.0 * epsilon**2, 90.0 * epsilon**2
 
 
+def angle_limits(epsilon: float) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
+    """Return the largest h/t and the largest (b + h) / 2t of classes 1, 2 and 3 of an angle in compression.
+
+    Sheet 3 has class 3 alone; classes 1 and 2 are those of outstand flanges, to which it refers, of the whole leg.
+
+    Args:
+        epsilon: by `epsilon`.
+
+    Source: EN 1993-1-1:2005, Table 5.2, sheets 2 and 3.
+    """
+    first, second, _ = outstand_limits(epsilon)
+    return (first, second, 15.0 * epsilon), (first, second, 11.5 * epsilon)
+
+
 def class_of_part(slenderness: float, limits: tuple[float, float, float]) -> int:
     """Return the class 1 to 4 of a part by its c/t and the limits of classes 1, 2 and 3.
 

@@ -293,6 +293,9 @@ class Strength:
             trace.add(f"N_cr,{axis}", critical, "N", f"pi^2 E I_{axis} / L_cr,{axis}^2", "6.3.1.2(1)")
             slenderness = buckling.slenderness(s.A, member.fy, critical)
             trace.add(f"lambda_{axis}", slenderness, "1", f"sqrt(A f_y / N_cr,{axis})", "6.3.1.3(1), Eq. 6.50")
+            if s.kind == "L" and axis == "z":
+                slenderness = buckling.angle_slenderness(slenderness)
+                trace.add("lambda_eff,v", slenderness, "1", "max(lambda_z, 0.35 + 0.7 lambda_z)", "BB.1.2(2)")
         curve = self._buckling_curve(axis)
         bending = chi = buckling.reduction_factor(slenderness, curve)
         formula = _reduction_formula(f"lambda_{axis}", slenderness, curve, buckling.NO_BUCKLING, 1.0)
@@ -333,6 +336,8 @@ class Strength:
         elif s.kind == "I":
             curve = buckling.rolled_i_curve(s.h, s.b, s.tf, "y" if axis == "y" else "z", self.member.fy)
             expression = f"h/b = {s.h / s.b:.3g}, t_f = {1e3 * s.tf:.3g} mm, about {axis}"
+        elif s.kind == "L":
+            curve, expression = buckling.angle_curve(), f"angle, about {'u' if axis == 'y' else 'v'}"
         elif s.welded:
             curve = buckling.welded_box_curve(s.h, s.b, s.tf, s.tw)
             expression = f"welded box, b/t_f = {s.b / s.tf:.3g}, h/t_w = {s.h / s.tw:.3g}"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 
 from edesign.errors import InputError, split_code
+from edesign.frame.sections.angles import angle_name, near_angle
 from edesign.frame.sections.hollow_section import hollow_section
 from edesign.frame.sections.profiles import profile_names
 
@@ -39,6 +40,14 @@ class BuildingSections(Collection[str]):
             return None
         return profile_names().canonical(name) if hollow is None else hollow.name
 
+    def canonical_bar(self, name: str) -> str | None:
+        """Return the name of a section that only pin-ended braces of buildings may have, an angle; None for others.
+
+        Args:
+            name: as a user writes it.
+        """
+        return angle_name(name)
+
     def near(self, name: str) -> str:
         """Return what there is near a name that is none, as a clause.
 
@@ -49,4 +58,4 @@ class BuildingSections(Collection[str]):
             hollow_section(name)
         except InputError as error:
             return split_code(str(error))[0]
-        return profile_names().near(name)
+        return near_angle(name) or profile_names().near(name)

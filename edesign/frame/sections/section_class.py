@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from edesign.codes.ec3.classes import (
+    angle_limits,
     class_of_part,
     elastic_stress_ratio,
     epsilon,
@@ -75,7 +76,8 @@ def section_class(
     """Return the class of a section in bending and compression.
 
     The flat parts are h - 2 t_f - 2 r and (b - t_w - 2 r)/2 of an I section, h - 3 t and b - 3 t of an RHS
-    (EN 1993-1-5, Table 4.1). Those of welded sections reach up to the other plates. Flanges, and both pairs of walls
+    (EN 1993-1-5, Table 4.1). Those of welded sections reach up to the other plates. Legs of an angle count with their
+    whole length, as in Table 5.2, sheet 3. Flanges, and both pairs of walls
     under biaxial bending, count as uniformly compressed.
 
     Args:
@@ -96,6 +98,13 @@ def section_class(
     if section.kind == "CHS":
         parts = [PartClass("wall", section.h / section.tw, tubular_limits(eps))] if compressed else []
         return SectionClass(section.name, tuple(parts) or (_free("wall"),))
+    if section.kind == "L":
+        if not compressed:
+            return SectionClass(section.name, (_free("leg"),))
+        one, two = angle_limits(eps)
+        longest, t = max(section.h, section.b), section.tw
+        legs = PartClass("legs together", 0.5 * (section.b + section.h) / t, two)
+        return SectionClass(section.name, (PartClass("leg", longest / t, one), legs))
     if not compressed:
         return SectionClass(section.name, (_free("web"), _free("flange")))
     if section.kind == "I":

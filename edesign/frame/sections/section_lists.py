@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from edesign.errors import InputError
+from edesign.frame.sections.angles import angle_name, angle_names
 from edesign.frame.sections.building_sections import BuildingSections
 from edesign.frame.sections.profiles import profile_names
 from edesign.frame.sections.steel_section import SteelSection, steel_section
@@ -40,13 +41,15 @@ def sections_of(asked: str) -> tuple[SteelSection, ...]:
     """Return the sections that a name stands for: a family, a pattern such as `HEB3*`, or one section.
 
     Args:
-        asked: `HEB`, `SHS` (hot finished), `IPE3*`, `HEB300`, `SHS200x10`.
+        asked: `HEB`, `SHS` (hot finished), `IPE3*`, `HEB300`, `SHS200x10`; `L`, `L100x100x10` of braces.
 
     Raises:
         InputError: there is none.
     """
     if (known := BuildingSections().canonical(asked)) is not None:
         return (steel_section(known),)
+    if (bar := angle_name(asked)) is not None:
+        return (steel_section(bar),)
     if asked.upper() == SQUARES:
         sizes = [(side, t) for side, (least, most) in _SQUARE.items() for t in _THICKNESSES if least <= t <= most]
         names = [f"{SQUARES}{side}x{t:g}" for side, t in sizes]
@@ -55,7 +58,7 @@ def sections_of(asked: str) -> tuple[SteelSection, ...]:
             f"`{asked}` has no list of sizes; name the sections one by one, such as `CHS168.3x8` [E-SECT-03]"
         )
     else:
-        names = profile_names().chosen(asked)
+        names = profile_names().chosen(asked) or angle_names().chosen(asked)
     if not names:
         raise InputError(f"there is no section or family `{asked}`; {BuildingSections().near(asked)} [E-NAME-01]")
     return tuple(map(steel_section, names))
@@ -79,7 +82,7 @@ def efficient(
     """
     found: list[SteelSection] = []
     for section in sorted(sections, key=lambda of: (cost(of), of.name)):
-        keys = _AS_GOOD_IN_SHEAR if section.kind == "I" else _AS_GOOD
+        keys = _AS_GOOD_IN_SHEAR if section.kind == "I" else ("I_y", "I_z") if section.axial_alone else _AS_GOOD
         if not any(all(getattr(other, key) >= getattr(section, key) for key in keys) for other in found):
             found.append(section)
     return found

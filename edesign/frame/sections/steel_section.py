@@ -1,10 +1,12 @@
-"""Steel sections with all their properties: rolled I sections, I sections of plates, and hollow sections."""
+"""Steel sections with all their properties: rolled I sections, I sections of plates, hollow sections, and angles."""
 
 from __future__ import annotations
 
 from functools import cache
 
 from edesign.codes.ec3.section import SteelSection
+from edesign.errors import InputError
+from edesign.frame.sections.angles import angle, angle_name, near_angle
 from edesign.frame.sections.hollow_section import hollow_section
 from edesign.frame.sections.profiles import profile, profile_names
 from edesign.frame.sections.section import fillets
@@ -17,12 +19,16 @@ def steel_section(name: str) -> SteelSection:
     Args:
         name: of a rolled I section, as `profile` takes it, or of a hollow section, sizes in mm: `SHS200x10`,
             `RHS200x100x8`, `CHS168.3x8`, hot finished, with or without `HF` before it; `CFSHS200x10` is cold formed.
-            `HSS8x6x1/2` is of ASTM A500, in inches.
+            `HSS8x6x1/2` is of ASTM A500, in inches. `L100x100x10` is an angle, of braces alone.
 
     Raises:
         InputError: there is no such section, or the walls of a hollow one do not fit into it.
     """
     hollow = hollow_section(name)
+    if hollow is None and (bar := angle_name(name)) is not None:
+        return angle(bar)
+    if hollow is None and (near := near_angle(name)):
+        raise InputError(f"there is no section `{name}`; {near} [E-NAME-01]")
     if hollow is None:
         known = profile_names().canonical(name)
         of = profile(known or name)

@@ -94,8 +94,13 @@ def _completed(building: Building, profiles: Catalogue | None) -> Building:
         known = None if profiles is None or written in building.sections else profiles.canonical(written)
         return known or written
 
+    def bar(written: str) -> str:
+        known = None if profiles is None or written in building.sections else profiles.canonical_bar(written)
+        return known or section(written)
+
     def named(run: R, group: str) -> R:
-        return run.model_copy(update={"section": section(run.section), "group": run.group or group})
+        of = bar if isinstance(run, BraceRun) else section
+        return run.model_copy(update={"section": of(run.section), "group": run.group or group})
 
     dampers = building.dampers
     return building.model_copy(

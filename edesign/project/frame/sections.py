@@ -191,6 +191,9 @@ class Catalogue(Collection[str], Protocol):
     def canonical(self, name: str) -> str | None:
         """Return the catalogue's own name of a section that may be spelled otherwise; None for an unknown one."""
 
+    def canonical_bar(self, name: str) -> str | None:
+        """Return the catalogue's own name of a section of pin-ended braces alone; None for others."""
+
     def near(self, name: str) -> str:
         """Return the catalogue's names near an unknown one as a clause for messages."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from edesign.codes.ec3 import cross_section
@@ -26,6 +26,8 @@ class SteelMember(Member):
             return UNCHECKED
         strength = Strength(self)
         y, z = strength.flexural("y"), strength.flexural("z")
+        if s.kind == "L":
+            return replace(UNCHECKED, N_Rd=strength.N_pl_Rd(), N_b_y_Rd=y.N_b_Rd, N_b_z_Rd=z.N_b_Rd)
         return MemberConstants(
             N_Rd=strength.N_pl_Rd(),
             V_y_Rd=strength.V_Rd("y"),

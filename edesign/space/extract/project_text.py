@@ -220,6 +220,10 @@ class _ProjectText:
             of = name.removesuffix(_WEAK) if name not in self.building.sections else name
             if of in self.building.sections:
                 used[name] = self._own_section(of, weak=of != name)
+            elif self.row.space.section(of).axial_alone:
+                shape = self.row.space.section(of)
+                area, inertia = value(1e4 * shape.A, "cm^2"), value(1e8 * shape.I_z, "cm^4")
+                used[name] = f"{{area: {area}, inertia: {inertia}}}  # an angle, about its weak axis v"
         used |= {LEANING: self._leaning_section()} if self.leans else {}
         return [
             *(["sections:", *(f"  {name}: {of}" for name, of in used.items()), ""] if used else []),
