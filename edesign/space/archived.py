@@ -223,8 +223,11 @@ def _foundations(design: ElasticDesign) -> Group:
             "case": Variable(("case",), np.array(of.cases), "", "load case"),
             "axis": axes,
             "combination": Variable(("combination",), np.array(of.combinations), "", "combination of actions"),
+            "persistent": Variable(("persistent",), np.array(of.persistent), "", "persistent combination"),
         }
     )
+    text = "reactions in persistent combinations, without sway imperfections"
+    group.add("acting", ("persistent", "support", "component"), of.acting, _UNITS, text)
     text = "reactions on the frame to load cases"
     group.add("static", ("case", "support", "component"), of.static, _UNITS, text)
     text = "reactions to the seismic action without sign, with second-order effects and accidental torsion"

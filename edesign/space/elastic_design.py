@@ -384,7 +384,9 @@ class ElasticAnalysis:
         deflections = self._deflections.deflections(frame, self._properties[1], static)
         factors = foundation_factors(building, frame, self.supports, in_earthquakes, Omega, q)
         whole = bool(self._rules.foundations)
-        found = foundations(frame, self.supports, static, response, of_storeys, self.seismic, *factors, whole)
+        found = foundations(
+            frame, self.supports, static, response, of_storeys, self.seismic, self.fundamental, *factors, whole
+        )
         of_panels = {
             axis: web_panels(
                 frame,

@@ -33,6 +33,11 @@ def _of_its_base(axis: int) -> Callable[[Row], str]:
     return lambda support: "*" * bool(support["of_foot"][axis])
 
 
+def _largest(component: int) -> Callable[[Row], float]:
+    """The largest magnitude over the persistent combinations."""
+    return lambda support: float(np.abs(support["acting"])[:, component].max())
+
+
 REACTIONS = TableSpec[Row](
     "supports",
     "Supports: F_z on the frame by action, upwards, kN",
@@ -61,11 +66,38 @@ FOUNDATIONS = TableSpec[Row](
 )
 
 
+PERSISTENT = TableSpec[Row](
+    "persistent_reactions",
+    "Foundations: reactions in persistent combinations, kN and kNm",
+    (
+        text("support"),
+        _acting("F_z,d", lambda support: support["acting"][:, F_Z].min()),
+        text("in", lambda support: support["least_in"]),
+        _acting("to", lambda support: support["acting"][:, F_Z].max()),
+        *(_acting(f"{name},d", _largest(k)) for name, k in (("F_x", F_X), ("F_y", F_Y))),
+        *(_acting(f"{name},d", _largest(k), KNM) for name, k in (("M_x", M_X), ("M_y", M_Y))),
+    ),
+    notes=("on the frame, F_z upwards; of the others the largest magnitude; without sway imperfections",),
+    formulas=True,
+)
+
+
 def reaction_table(results: BuildingResults) -> Table:
     """Return the vertical reactions of the supports by action."""
     cases = results.values("foundations", "case")
     more = [_acting(str(case), part("static", i, F_Z)) for i, case in enumerate(cases)]
     return REACTIONS.of(results.rows("foundations", "support"), more=more)
+
+
+def persistent_table(results: BuildingResults) -> Table:
+    """Return the extremes of the reactions in persistent combinations; empty in archives that have none."""
+    if "acting" not in results.group("foundations").variables:
+        return PERSISTENT.of(())
+    supports = results.rows("foundations", "support")
+    names = results.values("foundations", "persistent")
+    for support in supports:
+        support["least_in"] = str(names[int(support["acting"][:, F_Z].argmin())])
+    return PERSISTENT.of(supports)
 
 
 def foundation_table(results: BuildingResults) -> Table:
@@ -87,6 +119,7 @@ def foundation_summary(of: Group) -> list[dict[str, object]]:
         {
             "support": str(support),
             **{str(case): parts(of.variables["static"].values[i, k]) for i, case in enumerate(names["case"].values)},
+            **_extremes(of, k),
             **{f"E_{axis}": parts(of.variables["seismic"].values[i, k]) for i, axis in enumerate(names["axis"].values)},
             **{
                 f"gamma_Rd_Omega_{axis}": float(of.variables["factor"].values[i, k])
@@ -104,6 +137,16 @@ def foundation_summary(of: Group) -> list[dict[str, object]]:
         }
         for k, support in enumerate(names["support"].values)
     ]
+
+
+def _extremes(of: Group, k: int) -> dict[str, object]:
+    """The least and the largest reactions of a support in persistent combinations."""
+    known = of.variables.get("acting")
+    if known is None:
+        return {}
+    values = known.values[:, k]
+    found = {"least": values.min(axis=0), "largest": values.max(axis=0)}
+    return {"persistent": {name: dict(zip(COMPONENTS, map(float, row), strict=True)) for name, row in found.items()}}
 
 
 def _of_base_hinge(of: Group) -> np.ndarray:

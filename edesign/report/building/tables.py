@@ -18,7 +18,7 @@ from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.report.building.check_table import check_words, use
 from edesign.report.building.code_in_use import in_code, rules_in_use
 from edesign.report.building.deflection_table import deflection_table
-from edesign.report.building.foundation_table import foundation_table, reaction_table
+from edesign.report.building.foundation_table import foundation_table, persistent_table, reaction_table
 from edesign.report.building.lateral_tables import drifts_table, lateral_cases_table
 from edesign.report.building.results import MET, NOT_MET, BuildingResults, Row
 from edesign.report.building.steel_list import doublers_table, every_member_table, steel_list_table
@@ -365,6 +365,7 @@ TABLES: tuple[Make, ...] = (
     lateral_cases_table,
     drifts_table,
     reaction_table,
+    persistent_table,
     foundation_table,
     combinations_table,
     verdict_table,

@@ -84,6 +84,8 @@ class Foundations:
             direction.
         combinations: (r,) names of the combinations.
         least, largest: (r, s, 6) E_F,G -+ gamma_Rd Omega E_F,E.
+        persistent: (n,) names of the persistent combinations, without sway imperfections.
+        acting: (n, s, 6) reactions in these.
     """
 
     nodes: tuple[str, ...]
@@ -95,19 +97,23 @@ class Foundations:
     combinations: tuple[str, ...]
     least: np.ndarray
     largest: np.ndarray
+    persistent: tuple[str, ...]
+    acting: np.ndarray
 
     @property
     def uplift(self) -> list[str]:
-        """Sentence on supports that are pulled upwards, or none."""
-        least = self.least[:, :, 2].min(axis=0)
-        lifted = int((least < 0.0).sum())
-        if not lifted:
-            return []
-        return [
-            f"{lifted} of {least.size} foundations are pulled upwards with gamma_Rd Omega (EN 1998-1, 4.4.2.6(4)), "
-            f"most at {self.nodes[first_of_largest(-least)]}, by "
-            f"{-least.min() / 1e3:.0f} kN"
-        ]
+        """Sentences on supports that are pulled upwards, or none."""
+        found = []
+        for least, when in (
+            (self.least[:, :, 2].min(axis=0), "with gamma_Rd Omega (EN 1998-1, 4.4.2.6(4))"),
+            (self.acting[:, :, 2].min(axis=0), "in persistent combinations"),
+        ):
+            if lifted := int((least < 0.0).sum()):
+                found.append(
+                    f"{lifted} of {least.size} foundations are pulled upwards {when}, most at "
+                    f"{self.nodes[first_of_largest(-least)]}, by {-least.min() / 1e3:.0f} kN"
+                )
+        return found
 
 
 def supports(frame: SpaceFrame, bracing: Bracing) -> Supports:
@@ -192,6 +198,7 @@ def foundations(
     response: Mapping[Axis, SeismicResponse],
     storeys: Mapping[Axis, Storeys],
     seismic: Sequence[Combination],
+    persistent: Sequence[Combination],
     factor: np.ndarray,
     of_base: np.ndarray,
     whole: bool = False,
@@ -202,6 +209,7 @@ def foundations(
         static: effects of load cases.
         response: effects of the seismic action, by direction.
         storeys: with the factors for second-order effects, of which that of the lowest storey counts.
+        persistent: combinations for persistent design situations, without sway imperfections.
         factor: gamma_Rd Omega, by `foundation_factors`.
         of_base: whether it is that of the column base, by `foundation_factors`.
         whole: the factor is on all that the superstructure brings; gravity has it where that is worse.
@@ -236,4 +244,6 @@ def foundations(
         combinations=tuple(names),
         least=np.array(least),
         largest=np.array(largest),
+        persistent=tuple(row.name for row in persistent),
+        acting=np.tensordot([[row.static.get(case, 0.0) for case in static.names] for row in persistent], reactions, 1),
     )

@@ -154,6 +154,22 @@ def test_of_a_cross_the_diagonal_in_tension_acts_alone(braced: ElasticDesign) ->
         assert horizontal == pytest.approx(-100.0 if case == "wind" else 100.0, rel=1e-6)
 
 
+def test_uplift_of_supports_in_persistent_combinations(braced: ElasticDesign) -> None:
+    """G at A1: 3 x 6 x 6 / 4 = 27 kN. G - 1.5 wind: 27 - 1.5 x 33.33 = -23 kN at A2.
+
+    Wind beside the middle pulls B1 up by 75 x 4 / 6 = 50 kN and the cross on line 1 down by 25 x 4 / 6 = 16.67 kN:
+    27 - 1.5 x 33.33 = -23 kN too, -24 kN with what the columns that become longer and shorter add.
+    """
+    of = braced.foundations
+    rows = of.acting[:, :, 2] / 1e3
+    back = of.persistent.index("G - 1.5 wind")
+    assert rows[back, of.nodes.index("A2.0")] == pytest.approx(27.0 - 50.0, abs=0.1)
+    assert rows[of.persistent.index("G + 1.5 wind"), of.nodes.index("A1.0")] == pytest.approx(-23.0, abs=0.1)
+    worst = float(rows.min())
+    assert worst == pytest.approx(-23.0, abs=1.1)
+    assert any("in persistent combinations" in note and f"by {-worst:.0f} kN" in note for note in braced.notes)
+
+
 def test_the_beam_above_a_cross_collects_its_force(braced: ElasticDesign) -> None:
     """The floor brings 50 kN evenly along the beam; the diagonal pulls at its leeward end: -50 kN there."""
     assert static(braced, "wind", "BY_A_1_1", 0) == pytest.approx(0.0, abs=1e-6)
