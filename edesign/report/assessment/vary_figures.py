@@ -12,7 +12,7 @@ from edesign.report.assessment.derived_results import Sweep, sweeps
 from edesign.report.assessment.measure_columns import measure_title
 from edesign.report.assessment.tables import read_histories
 from edesign.report.drawing.captions import file_name
-from edesign.report.drawing.style import MEAN, RECORDS, VARIANTS, grid_figure, legend_label, styled
+from edesign.report.drawing.style import MEAN, RECORDS, VARIANTS, grid_figure, legend_below, legend_label, styled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -74,8 +74,8 @@ def vary_figure(sweep: Sweep) -> Figure:
         if known is None:
             here.set_xticks(list(at.values()), [legend_label(value) for value in at])
     handles, labels = cells[0].get_legend_handles_labels()
-    head = legend_label(" and ".join(sweep.quantities[1:])) or None
-    figure.legend(handles, labels, loc="outside lower center", ncols=3 if head else 2, title=head)
+    head = legend_label(" and ".join(sweep.quantities[1:]))
+    legend_below(figure, handles, labels, 3 if head else 2, head)
     return figure
 
 

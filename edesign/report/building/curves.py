@@ -13,7 +13,7 @@ from edesign.report.building.code_in_use import rules_in_use
 from edesign.report.building.elevations import strokes
 from edesign.report.building.results import BuildingResults
 from edesign.report.drawing.captions import plain
-from edesign.report.drawing.style import BEFORE, TARGET, VARIANTS, new_figure, styled
+from edesign.report.drawing.style import BEFORE, TARGET, VARIANTS, legend_below, new_figure, styled
 from edesign.space.structure.frame import AXES
 
 if TYPE_CHECKING:
@@ -173,7 +173,7 @@ def _storey_curves(results: BuildingResults) -> Figure:
             axes.tick_params(labelleft=False)
         else:
             axes.set_ylabel("level [m]")
-    figure.legend(*row[0].get_legend_handles_labels(), loc="outside lower center", ncols=2)
+    legend_below(figure, *row[0].get_legend_handles_labels(), 2)
     return figure
 
 

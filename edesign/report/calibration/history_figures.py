@@ -74,7 +74,7 @@ def _errors_figure(view: View) -> Figure:
         text.set_fontweight("bold" if one.use == "validate" else "normal")
     axis.set_ylim(len(series) - 0.4, -0.6)
     axis.set_xlabel("NRMS (%)")
-    figure.legend(loc="outside lower center", ncols=4)
+    legend_below(figure, most=4)
     return figure
 
 

@@ -23,6 +23,7 @@ from edesign.report.drawing.style import (
     VARIANTS,
     grid_figure,
     label_outer,
+    legend_below,
     legend_label,
     styled,
 )
@@ -185,7 +186,7 @@ def _legend(figure: Figure, drawn: Mapping[tuple[str, str], str], happened: Mapp
         Line2D([], [], ls="none", marker=marker, color=MEAN, ms=4.5, mfc="none", label=what)
         for what, marker in happened.items()
     ]
-    figure.legend(handles=handles, loc="outside lower center", ncols=3)
+    legend_below(figure, handles, most=3)
 
 
 def in_words(label: str) -> str:
@@ -247,7 +248,7 @@ def adrs_figure(hazard: Hazard, targets: Sequence[Curve]) -> Figure:
     handles.append(Line2D([], [], color=MEAN, lw=1.3, label="oscillator, F*/m* against d*"))
     handles.append(Line2D([], [], color=MEAN, lw=0.8, dashes=(4, 2), label="idealised"))
     handles.append(Line2D([], [], ls="none", marker="o", ms=4.5, color=BEFORE, mec=MEAN, label="target d_t*"))
-    figure.legend(handles=handles, loc="outside lower center", ncols=3)
+    legend_below(figure, handles, most=3)
     return figure
 
 

@@ -13,7 +13,7 @@ from edesign.damper.testing.nrms import nrms
 from edesign.errors import ArchiveError
 from edesign.optional_stages import optional
 from edesign.report.drawing.captions import UniqueNames, file_name
-from edesign.report.drawing.style import AFTER, BEFORE, new_figure, save, styled
+from edesign.report.drawing.style import AFTER, BEFORE, legend_below, new_figure, save, styled
 from edesign.report.tables.number import significant
 from edesign.report.tables.unit import PERCENT
 
@@ -46,7 +46,7 @@ def fit_figure(test: DamperTest, predicted: np.ndarray, law: str, title: str) ->
     history.set_xlim(float(test.time[0]), float(test.time[-1]))
     figure.suptitle(title, fontsize=9.0, x=0.01, ha="left")
     lines = [*loop.get_lines(), history.get_lines()[-1]]
-    figure.legend(handles=lines, loc="outside lower center", ncols=3)  # beside the curves, which fill the axes
+    legend_below(figure, lines, most=3)  # beside the curves, which fill the axes
     return figure
 
 

@@ -16,7 +16,16 @@ from edesign.damper.testing.specimen import Specimen
 from edesign.errors import ArchiveError
 from edesign.optional_stages import optional
 from edesign.report.drawing.captions import UniqueNames, file_name
-from edesign.report.drawing.style import AFTER, BEFORE, align_ordinates, logarithmic, new_figure, save, styled
+from edesign.report.drawing.style import (
+    AFTER,
+    BEFORE,
+    align_ordinates,
+    legend_below,
+    logarithmic,
+    new_figure,
+    save,
+    styled,
+)
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -149,5 +158,5 @@ def properties_figure(table: PropertyTable, temperature_C: float) -> Figure:
         axis.set_xlabel("frequency (Hz)")
     figure.suptitle(f"Properties at {temperature_C:.3g} °C", fontsize=9.0, x=0.01, ha="left")
     handles, labels = axes[0][0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=min(len(labels), 8), title="shear strain")
+    legend_below(figure, handles, labels, 8, "shear strain")
     return figure

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from edesign.damper.testing.steady_state import PropertyRows
-from edesign.report.drawing.style import logarithmic, new_figure, styled
+from edesign.report.drawing.style import legend_below, logarithmic, new_figure, styled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -64,7 +64,7 @@ def property_figure(
             if row == len(panels) - 1:
                 here.set_xlabel("frequency (Hz)")
     handles = _legend(levels, by, measured is not None, predicted is not None)
-    figure.legend(handles=handles, loc="outside lower center", ncols=min(len(handles), 7))
+    legend_below(figure, handles, most=min(len(handles), 7))
     if title:
         figure.suptitle(title, x=0.01, ha="left", fontsize=9.0)
     return figure
@@ -91,7 +91,7 @@ def residual_figure(residuals: dict[str, np.ndarray], rows: PropertyRows) -> Fig
         here.set_xlabel("frequency (Hz)")
     axes[0].set_ylabel("predicted / measured - 1 (%)")
     handles = _legend(strains, "strain", True, True)[: len(strains)]
-    figure.legend(handles=handles, loc="outside lower center", ncols=len(handles))
+    legend_below(figure, handles, most=len(handles))
     return figure
 
 

@@ -25,15 +25,20 @@ Kind = Literal["major", "minor"]
 
 _KINDS: tuple[Kind, ...] = ("major", "minor")
 _SETTINGS: Any = rcParams
+_BLANK = 0.5  # between labels of ticks beside each other, of their height: a blank and a half
 _ROUNDING = 1e-6  # of the length of an axis, far below a pixel: ticks at its ends are in sight
 
 
 @dataclass(frozen=True, eq=False)
 class _Ticks:
-    """Ticks of one kind: their places along the axis, and their labels with the largest width and height, pixels."""
+    """Ticks of one kind: their places along the axis, and their labels with their widths, the largest and the height.
+
+    Sizes are in pixels.
+    """
 
     at: np.ndarray
     labels: list[str]
+    widths: np.ndarray
     width: float
     height: float
 
@@ -160,8 +165,9 @@ class _LightAxis(Axis):
             font = self._label_text(kind).get_fontproperties()
             texts = ("lp", *filter(None, shown))  # a line is as high as l and p
             sizes = [renderer.get_text_width_height_descent(text, font, False) for text in texts]
-            width = max((size[0] for size in sizes[1:]), default=0.0)
-            self._computed[kind] = now, _Ticks(places[seen], shown, width, max(size[1] for size in sizes))
+            widths = np.array([next(drawn)[0] if label else 0.0 for drawn in [iter(sizes[1:])] for label in shown])
+            width = float(widths.max(initial=0.0))
+            self._computed[kind] = now, _Ticks(places[seen], shown, widths, width, max(size[1] for size in sizes))
         return self._computed[kind][1]
 
     def _label_text(self, kind: Kind) -> Text:
@@ -189,11 +195,23 @@ class _LightAxis(Axis):
     def _draw_labels(self, renderer: Any, ticks: _Ticks, kind: Kind) -> None:
         text = self._label_text(kind)
         place = self._span()[0] - self._from_edge(renderer, kind)
-        for at, label in zip(ticks.at, ticks.labels, strict=True):
+        for at, label in zip(ticks.at, self._apart(ticks), strict=True):
             if label:
                 text.set_text(label)
                 text.set_position((at, place) if self._along == 0 else (place, at))
                 text.draw(renderer)
+
+    def _apart(self, ticks: _Ticks) -> list[str]:
+        """The labels that do not run into each other: all, or every second, third, ..., with that of 0 among them."""
+        labelled = [i for i, label in enumerate(ticks.labels) if label]
+        sizes = ticks.widths + _BLANK * ticks.height if self._along == 0 else np.full(ticks.at.size, ticks.height)
+        zero = next((i for i in labelled if ticks.labels[i].strip("0.") == ""), labelled[0] if labelled else 0)
+        for step in range(1, len(labelled) + 1):
+            kept = labelled[labelled.index(zero) % step :: step]
+            gaps = np.abs(np.diff(ticks.at[kept])) - 0.5 * (sizes[kept][1:] + sizes[kept][:-1])
+            if np.all(gaps >= 0.0):
+                return [label if i in kept else "" for i, label in enumerate(ticks.labels)]
+        return ticks.labels
 
     def _draw_lines(self, renderer: Any, at: np.ndarray, across: tuple[float, float], color: str, width: float) -> None:
         """One path of lines across the axis."""

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from edesign.report.drawing.style import new_figure
-from edesign.report.drawing.text_size import wrapped
+from edesign.report.drawing.style import BESIDE, new_figure
+from edesign.report.drawing.text_size import text_size, wrapped
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -21,6 +21,7 @@ PITCH = (
     0.2  # inches of a bay and of a storey: the largest hinge (6.8 points) at both ends of a beam, and as much between
 )
 NARROWEST = 1.5  # inches of a panel, for its title
+SMALL_TITLE = 7.5  # points, of a title that takes several lines
 TITLE = 0.3  # inches above an elevation
 
 
@@ -53,7 +54,8 @@ class Panels:
 
     def title(self, axis: Axes, text: str) -> None:
         """Write a title above an elevation, in lines as wide as it is."""
-        axis.set_title("\n".join(wrapped(text, self.width, 9.0)), loc="left")
+        size = 9.0 if text_size(text, 9.0)[0] <= self.width - BESIDE else SMALL_TITLE
+        axis.set_title("\n".join(wrapped(text, self.width - BESIDE, size)), loc="left", fontsize=size)
 
     def scale(self, axis: Axes) -> None:
         """Give an elevation that is drawn its scales."""

@@ -15,6 +15,7 @@ import numpy as np
 from edesign.archive.files import write_whole
 from edesign.errors import InputError
 from edesign.report.drawing.symbols import in_parts
+from edesign.report.drawing.text_size import wrapped
 from edesign.report.tables.visible import visible
 
 if TYPE_CHECKING:
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
 P = ParamSpec("P")
 FORMATS = ("svg", "png", "pdf")
 MOST_TICKS = 13
+BESIDE, ORDINATE = 0.12, 0.5  # inches from the title of axes to those beside it, and of the labels of the ordinate
 BEFORE, AFTER, TARGET, MEAN = "#8a8f98", "#1f5fa8", "#c0392b", "#111111"
 """Colours that stay apart in grey print and for colour-blind readers."""
 
@@ -113,6 +115,7 @@ def save(figure: Figure, path: Path) -> None:
         ArchiveError: it cannot be written.
     """
     suffix = path.suffix.lower()
+    fit_titles(figure)
     if suffix == ".svg":
         text = svg_text(figure)
         write_whole(path, lambda partial: partial.write_text(text, encoding="utf-8"))
@@ -198,17 +201,24 @@ def legend_above(axis: Axes, columns: int = 2) -> None:
     axis.legend(loc="lower left", bbox_to_anchor=(-0.02, 1.0), ncols=columns, borderaxespad=0.2)
 
 
-def legend_below(figure: Figure, handles: Sequence[Any], labels: Sequence[str], most: int) -> None:
+def legend_below(
+    figure: Figure, handles: Sequence[Any] = (), labels: Sequence[str] = (), most: int = 8, title: str = ""
+) -> None:
     """Put a legend below the axes, in as many columns as fit the width of the figure; to be called when `styled`.
 
     Args:
         figure: of its final size.
-        handles: the lines or patches of the legend.
-        labels: the text of each handle.
+        handles: the lines or patches of the legend; by default all that have a label in the figure.
+        labels: the text of each handle; by default its own.
         most: the largest number of columns, however wide the figure is.
+        title: above it.
     """
+    if not handles:
+        found = [axes.get_legend_handles_labels() for axes in figure.axes]
+        handles, labels = [one for some, _ in found for one in some], [text for _, some in found for text in some]
+    labels = labels or [str(handle.get_label()) for handle in handles]
     for columns in range(min(most, len(handles)), 0, -1):
-        legend = figure.legend(handles, labels, loc="outside lower center", ncols=columns)
+        legend = figure.legend(handles, labels, loc="outside lower center", ncols=columns, title=title or None)
         if columns == 1 or legend.get_window_extent().width <= figure.bbox.width:
             return
         legend.remove()
@@ -250,6 +260,26 @@ def label_outer(cells: list[Axes], columns: int, abscissa: str, ordinate: str) -
             axis.set_xlabel(abscissa)
         else:
             axis.tick_params(labelbottom=False)
+
+
+def fit_titles(figure: Figure) -> None:
+    """Break titles of axes into lines where they would run into those beside them, or out of the figure.
+
+    Args:
+        figure: of its final size, before it is laid out.
+    """
+    for axes in figure.axes:
+        cell = axes.get_subplotspec()
+        if cell is None:
+            continue
+        grid, columns = cell.get_gridspec(), cell.colspan
+        ratios = grid.get_width_ratios()
+        share = sum(ratios[i] for i in columns) / sum(ratios)
+        room = share * (figure.get_figwidth() - ORDINATE) - BESIDE
+        for title in (axes.title, axes._left_title):  # type: ignore[attr-defined]
+            words = title.get_text()
+            if words and "\n" not in words:
+                title.set_text("\n".join(wrapped(words, room, title.get_fontsize())))
 
 
 def align_ordinates(column: Iterable[Axes]) -> None:

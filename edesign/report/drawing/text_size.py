@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import textwrap
+import re
 from functools import lru_cache
 
 INCH = 72.0  # points
@@ -25,17 +25,23 @@ def text_size(words: str, size: float) -> tuple[float, float]:
 
 
 def wrapped(words: str, room: float, size: float) -> list[str]:
-    """Return a text in lines that are not wider than a room.
+    """Return a text in lines that are not wider than a room: broken at blanks, and long names after `_` too.
 
     Args:
         room: width, inches.
         size: of the type, points.
     """
-    wide = text_size(words, size)[0]
-    if wide <= room:
+    if text_size(words, size)[0] <= room:
         return [words]
-    for letters in range(int(len(words) * room / wide * 1.15), 8, -2):
-        lines = textwrap.wrap(words, letters)
-        if all(text_size(line, size)[0] <= room for line in lines):
-            return lines
-    return [words]
+    lines = [""]
+    for word in words.split(" "):
+        if lines[-1] and text_size(f"{lines[-1]} {word}", size)[0] <= room:
+            lines[-1] += f" {word}"
+            continue
+        parts = [word] if text_size(word, size)[0] <= room else re.findall("[^_]+_?|_", word)
+        lines.append("")
+        for part in parts:
+            if lines[-1] and text_size(lines[-1] + part, size)[0] > room:
+                lines.append("")
+            lines[-1] += part
+    return lines[1:] if lines[0] == "" and len(lines) > 1 else lines

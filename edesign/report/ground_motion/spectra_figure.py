@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from edesign.project.notation.units import STANDARD_GRAVITY
-from edesign.report.drawing.style import BEFORE, MEAN, TARGET, legend_label, new_figure, styled
+from edesign.report.drawing.style import BEFORE, MEAN, TARGET, legend_below, legend_label, new_figure, styled
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -53,5 +53,5 @@ def spectra_figure(
     axes.set_ylabel("spectral acceleration (g)")
     axes.set_title(title, loc="left")
     if axes.get_legend_handles_labels()[0]:
-        figure.legend(loc="outside lower center", ncols=2 if len(targets or ()) < 2 else 1)  # labels of codes are long
+        legend_below(figure, most=2 if len(targets or ()) < 2 else 1)  # labels of codes are long
     return figure

@@ -15,7 +15,7 @@ from matplotlib.colors import rgb2hex
 from matplotlib.path import Path
 from matplotlib.transforms import Affine2D, Bbox
 
-from edesign.report.drawing.style import in_style_of_figures
+from edesign.report.drawing.style import fit_titles, in_style_of_figures
 from edesign.report.drawing.symbols import in_parts
 from edesign.report.drawing.thin_out import thin_out_all
 from edesign.report.html.lettering import Written
@@ -83,6 +83,7 @@ def rendered(figure: Figure, name: str) -> PageRenderer:
     """
     canvas, dpi = figure.canvas, figure.dpi
     with in_style_of_figures():
+        fit_titles(figure)
         figure.dpi = 72
         width, height = 72.0 * figure.get_size_inches()
         renderer = PageRenderer(width, height, name)

@@ -10,7 +10,7 @@ import numpy as np
 from edesign.report.drawing.captions import at_level, plain
 from edesign.report.drawing.frame_drawing import DAMPER, SUPPORTS
 from edesign.report.drawing.panels import arrangement
-from edesign.report.drawing.style import MEAN, styled
+from edesign.report.drawing.style import MEAN, legend_below, styled
 from edesign.report.motion.encoding import fitting_scale
 from edesign.report.motion.geometry import BELOW, GROUND, SIGN, Geometry, Hung
 from edesign.report.motion.moving import Moving
@@ -71,7 +71,7 @@ def class_legend(figure: Figure, scene: Scene, ranks: Collection[int], columns: 
         if i in ranks
     ]
     if handles:
-        figure.legend(handles=handles, loc="outside lower center", ncols=columns)
+        legend_below(figure, handles, most=columns)
 
 
 def member_curve(geometry: Geometry, member: str, motion: np.ndarray, scale: float, points: int = 17) -> np.ndarray:

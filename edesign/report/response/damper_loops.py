@@ -11,7 +11,16 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.report.drawing.captions import at_level, file_name, plain
-from edesign.report.drawing.style import MEAN, TARGET, VARIANTS, grid_figure, label_outer, legend_label, styled
+from edesign.report.drawing.style import (
+    MEAN,
+    TARGET,
+    VARIANTS,
+    grid_figure,
+    label_outer,
+    legend_below,
+    legend_label,
+    styled,
+)
 from edesign.report.response.histories import by_temperature, histories, names_of, variant_colors, with_results
 
 if TYPE_CHECKING:
@@ -119,7 +128,7 @@ def loops_figure(histories: Sequence[Loops]) -> Figure:
         label = f"tested to a strain of {100.0 * strain:g} %" if np.isfinite(strain) else "tested"
         handles.append(Line2D([], [], color=TARGET, lw=0.8, ls="--", label=label))
     if handles:
-        figure.legend(handles=handles, loc="outside lower center", ncols=min(len(handles), 3))
+        legend_below(figure, handles, most=min(len(handles), 3))
     return figure
 
 

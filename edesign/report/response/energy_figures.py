@@ -10,7 +10,7 @@ import numpy as np
 from edesign.archive.reader import Archive
 from edesign.assess.energy import energies, share_of_input
 from edesign.report.drawing.captions import at_level, file_name, plain
-from edesign.report.drawing.style import MEAN, grid_figure, label_outer, styled
+from edesign.report.drawing.style import MEAN, grid_figure, label_outer, legend_below, styled
 from edesign.report.response.histories import by_motion, histories, missing_text, with_results
 
 if TYPE_CHECKING:
@@ -71,7 +71,7 @@ def energy_figure(histories: Mapping[str, Energy]) -> Figure:
         axis.set_ylim(0.0, tallest or 1.0)
     label_outer(cells, COLUMNS, "time (s)", "energy (kJ)")
     handles, labels = cells[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=5 if len(histories) > 1 else 3)
+    legend_below(figure, handles, labels, 5 if len(histories) > 1 else 3)
     return figure
 
 

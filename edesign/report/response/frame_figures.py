@@ -26,7 +26,7 @@ from edesign.report.drawing.building_drawing import BuildingElevation, frame_nam
 from edesign.report.drawing.captions import at_level, file_name, plain
 from edesign.report.drawing.frame_drawing import Elevation, FrameElevation
 from edesign.report.drawing.panels import arrangement
-from edesign.report.drawing.style import MEAN, styled
+from edesign.report.drawing.style import MEAN, legend_below, styled
 from edesign.report.response.directions import strong_axes
 from edesign.report.response.histories import (
     History,
@@ -260,7 +260,7 @@ def hinge_figure(frame: Elevation, panels: Sequence[Hinges], scale: Scale = ROTA
         Line2D([], [], marker="o", ls="none", ms=size, mfc=color, mec=MEAN, mew=0.5, label=label)
         for size, color, label in zip(SIZES, COLORS, scale.names[1:], strict=True)
     ]
-    figure.legend(handles=handles, loc="outside lower center", ncols=4 if figure.get_figwidth() > 4.0 else 2)
+    legend_below(figure, handles, most=4 if figure.get_figwidth() > 4.0 else 2)
     engine = figure.get_layout_engine()
     assert engine is not None
     engine.execute(

@@ -10,7 +10,8 @@ import numpy as np
 
 from edesign.archive.reader import Archive
 from edesign.report.drawing.captions import plain
-from edesign.report.drawing.style import MEAN, VARIANTS, legend_label, new_figure, some_of, styled
+from edesign.report.drawing.style import BESIDE, MEAN, VARIANTS, legend_label, new_figure, some_of, styled
+from edesign.report.drawing.text_size import text_size
 from edesign.report.response.directions import in_each_direction
 from edesign.report.response.histories import variant_colors
 from edesign.study.results.kinds import ANALYSES
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
 
 MOST = 4  # modes in a figure
 _STYLES = ("-", "--", "-.", ":")
+PERIOD = 7.5  # points, of the periods above a mode
 
 
 @dataclass(frozen=True)
@@ -83,7 +85,9 @@ def mode_figure(structures: Sequence[Shapes]) -> Figure:
         structures: at least one, all with the same number of floors.
     """
     count = min(MOST, max(one.period.size for one in structures))
-    figure, (cells,) = new_figure(1, count, 0.6 + 1.45 * count, 3.3 + 0.14 * len(structures))
+    periods = [f"{one.label} {plain(float(period))} s" for one in structures for period in one.period[:count]]
+    wide = max(1.45, BESIDE + max(text_size(words, PERIOD)[0] for words in periods))
+    figure, (cells,) = new_figure(1, count, 0.6 + wide * count, 3.3 + 0.14 * len(structures))
     for mode, axis in enumerate(cells):
         floors = np.arange(structures[0].shape.shape[1])
         axis.axvline(0.0, color=MEAN, lw=0.6)
@@ -97,7 +101,7 @@ def mode_figure(structures: Sequence[Shapes]) -> Figure:
             above = 4.0 + 9.5 * (len(structures) - 1 - i)
             text = f"{one.label} {plain(float(one.period[mode]))} s"
             axis.annotate(
-                text, (0.0, 1.0), (0.0, above), "axes fraction", "offset points", color=one.color, fontsize=7.5
+                text, (0.0, 1.0), (0.0, above), "axes fraction", "offset points", color=one.color, fontsize=PERIOD
             )
         axis.set_title(f"mode {mode + 1}", loc="left", pad=6.0 + 9.5 * len(structures))
         axis.set_xlim(-1.15, 1.15)

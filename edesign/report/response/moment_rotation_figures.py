@@ -10,7 +10,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.report.drawing.captions import at_level, file_name, plain
-from edesign.report.drawing.style import MEAN, legend_label, new_figure, styled
+from edesign.report.drawing.style import MEAN, legend_below, legend_label, new_figure, styled
 from edesign.report.response.directions import in_each_direction
 from edesign.report.response.histories import by_motion, histories, names_of, variant_colors, with_results
 
@@ -90,7 +90,7 @@ def moment_rotation_figure(
         row[0].set_ylabel("moment (kN m)")
     handles, labels = axes[0][0].get_legend_handles_labels()
     if labels:
-        figure.legend(handles, labels, loc="outside lower center", ncols=len(labels))
+        legend_below(figure, handles, labels, len(labels))
     return figure
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.report.drawing.captions import at_level, file_name, plain
-from edesign.report.drawing.style import MEAN, legend_label, new_figure, styled
+from edesign.report.drawing.style import MEAN, legend_below, legend_label, new_figure, styled
 from edesign.report.response.histories import by_motion, histories, missing_text, variant_colors, with_results
 
 if TYPE_CHECKING:
@@ -86,7 +86,7 @@ def orbit_figure(series: Sequence[tuple[str, str, Orbits]]) -> Figure:
         axis.set_ylabel(f"along y ({unit})")
     handles, labels = axes[0].get_legend_handles_labels()
     if labels:
-        figure.legend(handles, labels, loc="outside lower center", ncols=len(labels))
+        legend_below(figure, handles, labels, len(labels))
     return figure
 
 

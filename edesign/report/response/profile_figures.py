@@ -13,7 +13,7 @@ from edesign.archive.reader import Archive
 from edesign.assess.envelopes import peak, residual
 from edesign.assess.statistics import FRACTION, counted_percentile
 from edesign.report.drawing.captions import at_level, file_name, plain
-from edesign.report.drawing.style import MEAN, RECORDS, grid_figure, label_outer, some_of, styled
+from edesign.report.drawing.style import MEAN, RECORDS, grid_figure, label_outer, legend_below, some_of, styled
 from edesign.report.response.directions import in_each_direction
 from edesign.report.response.histories import (
     History,
@@ -195,7 +195,7 @@ def profile_figure(panels: Sequence[Profiles], kind: Kind) -> Figure:
         Line2D([], [], **_HIGH, color=MEAN, label="84th percentile"),
     ]
     if any(len(panel.values) > 1 for panel in panels):
-        figure.legend(handles=handles, loc="outside lower center", ncols=4 if len(panels) > 1 else 2)
+        legend_below(figure, handles, most=4 if len(panels) > 1 else 2)
     return figure
 
 

@@ -11,7 +11,15 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.report.drawing.captions import at_level, file_name, plain
-from edesign.report.drawing.style import BEFORE, MEAN, align_ordinates, legend_label, new_figure, styled
+from edesign.report.drawing.style import (
+    BEFORE,
+    MEAN,
+    align_ordinates,
+    legend_below,
+    legend_label,
+    new_figure,
+    styled,
+)
 from edesign.report.response.directions import in_each_direction
 from edesign.report.response.histories import by_motion, histories, missing_text, variant_colors, with_results
 
@@ -115,7 +123,7 @@ def response_figure(series: Sequence[Series]) -> Figure:
     align_ordinates(row[0] for row in axes)
     handles, labels = bottom.get_legend_handles_labels()
     if labels:
-        figure.legend(handles, labels, loc="outside lower center", ncols=len(labels))
+        legend_below(figure, handles, labels, len(labels))
     return figure
 
 

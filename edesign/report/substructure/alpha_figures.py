@@ -15,7 +15,7 @@ from edesign.project.substructure.compensators import (
 )
 from edesign.report.drawing.captions import file_name, plain
 from edesign.report.drawing.style import TARGET, VARIANTS, align_ordinates, new_figure, styled
-from edesign.report.substructure.curves import WIDTH, curve, legend_below
+from edesign.report.substructure.curves import WIDTH, curve, legend_of_lines
 from edesign.report.substructure.results import BEST, Series, SubstructureResults
 
 if TYPE_CHECKING:
@@ -117,7 +117,7 @@ def alpha_figure(chosen: Sequence[Adaptive], rows: Sequence[Coefficient]) -> Fig
     axes[-1][0].set_xlabel("time (s)")
     align_ordinates(row[0] for row in axes)
     marked = [("limit", TARGET, "--")] if drawn else []
-    legend_below(figure, [*((one.series.label, one.series.color, "-") for one in chosen), *marked])
+    legend_of_lines(figure, [*((one.series.label, one.series.color, "-") for one in chosen), *marked])
     return figure
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from edesign.report.drawing.style import MEAN, align_ordinates, logarithmic, new_figure, styled
-from edesign.report.substructure.curves import legend_below
+from edesign.report.substructure.curves import legend_of_lines
 from edesign.report.substructure.results import BEST, FIRST
 from edesign.substructure.stability.loop import Transfer
 
@@ -98,5 +98,5 @@ def bode_figure(
     axes[1][0].set_yticks(np.arange(phases[0], phases[1] + 1.0, QUARTERS))
     axes[-1][0].set_xlabel("frequency (Hz)")
     align_ordinates(row[0] for row in axes)
-    legend_below(figure, [(path.label, path.color, path.style) for path in paths])
+    legend_of_lines(figure, [(path.label, path.color, path.style) for path in paths])
     return figure

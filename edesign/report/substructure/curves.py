@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from edesign.report.drawing.style import MEAN, legend_label
+from edesign.report.drawing.style import MEAN, legend_below, legend_label
 from edesign.report.drawing.thin_out import thin_out
 
 if TYPE_CHECKING:
@@ -17,7 +17,6 @@ if TYPE_CHECKING:
 POINTS = 72.0  # in an inch
 TOLERANCE = 0.1  # points
 WIDTH = 6.8  # inches of figures over time
-LETTER, HANDLE = 0.062, 0.55  # inches of a letter of a legend, and of what stands before its text
 MANY = 4000  # points of a curve
 LONGEST = 36  # characters of a label
 CYCLES = 4  # in a window
@@ -118,7 +117,7 @@ def around_zero(axis: Axes, reach: float) -> None:
     axis.set_ylim(-1.1 * reach or -1.0, 1.1 * reach or 1.0)
 
 
-def legend_below(figure: Figure, lines: Sequence[tuple[str, str, str]]) -> None:
+def legend_of_lines(figure: Figure, lines: Sequence[tuple[str, str, str]]) -> None:
     """Put a legend below a figure: label, colour and style of each line; long labels are cut.
 
     Args:
@@ -131,6 +130,4 @@ def legend_below(figure: Figure, lines: Sequence[tuple[str, str, str]]) -> None:
         Line2D([], [], color=color, ls=style, lw=1.3, label=legend_label(label))
         for label, (_, color, style) in zip(named, lines, strict=True)
     ]
-    widest = HANDLE + LETTER * max(map(len, named))
-    across = max(1, min(len(handles), int(figure.get_figwidth() / widest)))
-    figure.legend(handles=handles, loc="outside lower center", ncols=across)
+    legend_below(figure, handles)

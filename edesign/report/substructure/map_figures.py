@@ -10,7 +10,7 @@ import numpy as np
 
 from edesign.report.drawing.captions import plain
 from edesign.report.drawing.style import MEAN, logarithmic, new_figure, save, styled
-from edesign.report.substructure.curves import legend_below
+from edesign.report.substructure.curves import legend_of_lines
 from edesign.report.substructure.results import BEST, FIRST, NONE, WITHOUT, SubstructureResults, looks
 from edesign.substructure.advice.stability_map import StabilityMap, governing_map
 from edesign.substructure.advice.transfers import EXACTLY
@@ -150,7 +150,7 @@ def map_figure(test: str, of: StabilityMap, kinds: Mapping[str, str], best: str 
     axis.set_ylim(0.0, 1e3 * of.largest)
     axis.set_xlabel(f"frequency of mode {of.mode} (Hz)")
     axis.set_ylabel("delay of the rig (ms)")
-    legend_below(figure, lines)
+    legend_of_lines(figure, lines)
     return figure
 
 

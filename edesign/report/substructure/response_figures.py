@@ -12,7 +12,7 @@ from edesign.archive.dataset import Group
 from edesign.errors import EdesignError
 from edesign.report.drawing.captions import file_name, plain
 from edesign.report.drawing.style import MEAN, align_ordinates, legend_label, new_figure, styled
-from edesign.report.substructure.curves import WIDTH, around_zero, curve, largest, legend_below, window, within
+from edesign.report.substructure.curves import WIDTH, around_zero, curve, largest, legend_of_lines, window, within
 from edesign.report.substructure.results import Series, SubstructureResults, times
 from edesign.substructure.sized_damper import SizedDamper
 
@@ -138,7 +138,7 @@ def loop_figure(
     for axis in (axes[0][0], history):
         axis.set_ylabel("force (kN)")
     lines = [(one.label, one.color, "-") for one, _ in found]
-    legend_below(figure, [*([(what, MEAN, "--")] if aim is not None else []), *lines])
+    legend_of_lines(figure, [*([(what, MEAN, "--")] if aim is not None else []), *lines])
     return figure
 
 
@@ -238,7 +238,7 @@ def response_figure(rows: Sequence[Response]) -> Figure:
             axis.axvspan(*seen, color="#d5dbe4", zorder=0.5, lw=0)
     axes[-1][0].set_xlabel("time (s)")
     align_ordinates(row[0] for row in axes)
-    legend_below(figure, [("direct analysis", MEAN, "--"), *((s.label, s.color, "-") for s, _ in first.found)])
+    legend_of_lines(figure, [("direct analysis", MEAN, "--"), *((s.label, s.color, "-") for s, _ in first.found)])
     return figure
 
 
@@ -290,5 +290,5 @@ def energy_figure(found: Sequence[Series]) -> Figure:
     axis.set_xlim(0.0, spans[0])
     axis.set_xlabel("time (s)")
     axis.set_ylabel("interface energy\nerror (J)")
-    legend_below(figure, [(one.label, one.color, "-") for one in found])
+    legend_of_lines(figure, [(one.label, one.color, "-") for one in found])
     return figure

@@ -11,7 +11,7 @@ import numpy as np
 from edesign.errors import EdesignError
 from edesign.report.drawing.captions import file_name, plain
 from edesign.report.drawing.style import MEAN, align_ordinates, legend_label, new_figure, styled
-from edesign.report.substructure.curves import WIDTH, around_zero, curve, largest, legend_below, window, within
+from edesign.report.substructure.curves import WIDTH, around_zero, curve, largest, legend_of_lines, window, within
 from edesign.report.substructure.results import Series, SubstructureResults
 from edesign.substructure.indicators.crossing_delay import CrossingDelay, crossing_delay
 from edesign.substructure.methods.rate import motion_frequency
@@ -135,7 +135,7 @@ def tracking_figure(series: Sequence[Series], late: Sequence[CrossingDelay | Non
     axes[-1][0].set_xlabel("time (s)")
     align_ordinates(row[0] for row in axes)
     lines = [(f"measured, {one.label}", one.color, "-") for one in series]
-    legend_below(figure, [(f"target, {last.label}" if own_targets else "target", MEAN, "--"), *lines, *own_targets])
+    legend_of_lines(figure, [(f"target, {last.label}" if own_targets else "target", MEAN, "--"), *lines, *own_targets])
     return figure
 
 
