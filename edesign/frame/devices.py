@@ -14,6 +14,7 @@ from edesign.frame.struts import Strut
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.dampers import (
     PROTOTYPE_SCALE,
+    SET_IN,
     BraceStiffness,
     ChosenBrace,
     DamperBetween,
@@ -206,11 +207,7 @@ def add_devices(
             for key, message in restrained_misfits(run.kind, run.brace).items():
                 raise InputError(f"{where}: {key}: {message}")
         elif run.carries_gravity:
-            message = (
-                f"the law `{run.law}` is of a damper that is set in under the gravity loads; leave this key out"
-                " [E-DEVICE-02]"
-            )
-            raise InputError(f"{where}: carries_gravity: {message}")
+            raise InputError(f"{where}: carries_gravity: {SET_IN.format(run.law)}")
         for place in device_places(project, run, sites, nodes, where):
             size = _size(run, place)
             force_scale, deformation_scale, thickness = size.scales(law)

@@ -14,8 +14,8 @@ from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
 from edesign.frame.project_file import load_study
 from edesign.report.archive.study_tables import study_tables
-from edesign.report.assessment.verdict_data import study_verdicts
 from edesign.report.assessment.vary_figures import vary_figures
+from edesign.report.assessment.verdict_data import study_verdicts
 from edesign.report.html.section import Picture
 from edesign.report.page.sections.derived import derived
 from edesign.report.page.source import Source

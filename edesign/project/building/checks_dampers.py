@@ -8,7 +8,7 @@ from edesign.project.building.names import BeamPlace, node_name
 from edesign.project.building.supports import Springs
 from edesign.project.checks.dampers import check_apart, check_devices
 from edesign.project.dampers.dampers import Attachment, BraceSection, DamperBetween, DamperRun
-from edesign.project.dampers.designs import SizedDesign
+from edesign.project.dampers.designs import DesignRun
 from edesign.project.frame.sections import Catalogue, no_section
 from edesign.project.notation.grid import InBays
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
@@ -38,14 +38,14 @@ def check_dampers(building: Building, problems: Problems, profiles: Catalogue | 
         _attachment(building, problems, ("dampers", "attachments", i), attachment)
 
 
-def check_bays(building: Building, problems: Problems, keys: Keys, run: DamperRun | SizedDesign) -> tuple[int, ...]:
+def check_bays(building: Building, problems: Problems, keys: Keys, run: DamperRun | DesignRun) -> tuple[int, ...]:
     """Check that dampers stand in bays of frames of one direction, and return their storeys; none where they are wrong.
 
     Args:
         building: its members are right.
         problems: of the file of the dampers; collects what is wrong.
         keys: of the dampers there.
-        run: the dampers, or their design.
+        run: the dampers, or those of one kind of a design.
     """
     if run.along is None or run.frames is None:
         for key, what in (

@@ -16,7 +16,7 @@ from edesign.project.dampers.dampers import (
     DamperRun,
     Device,
 )
-from edesign.project.dampers.designs import SizedDesign
+from edesign.project.dampers.designs import DesignRun
 from edesign.project.dampers.placement import CatalogueItem
 from edesign.project.frame.supports import FootingSupport, springs_of
 from edesign.project.notation import names
@@ -224,12 +224,12 @@ def _places(project: Project, problems: Problems, keys: Keys, device: DamperRun)
     return device.storeys.numbers(1, project.frame.n_storeys)
 
 
-def check_beams_met(keys: Keys, run: DamperRun | SizedDesign, project: Project, problems: Problems) -> None:
+def check_beams_met(keys: Keys, run: DamperRun | DesignRun, project: Project, problems: Problems) -> None:
     """Check that dampers in place of a chevron's braces have the beams that they meet.
 
     Args:
         keys: of the `kind` of the dampers.
-        run: of dampers, or their design.
+        run: of dampers, or those of one kind of a design.
     """
     grid = project.frame
     absent = [

@@ -10,10 +10,10 @@ from edesign.project.checks.dampers import check_beams_met, check_brace
 from edesign.project.checks.hysteretic_designs import check_hysteretic_design
 from edesign.project.checks.placement import (
     check_bays_of_frame,
-    check_candidate_places,
     check_design_hazard,
     check_placement_design,
 )
+from edesign.project.checks.selections import Selections
 from edesign.project.dampers.dampers import BraceSection
 from edesign.project.dampers.designs import (
     HYSTERETIC_LAWS,
@@ -21,6 +21,7 @@ from edesign.project.dampers.designs import (
     Bounds,
     Design,
     DesignedBrace,
+    DesignRun,
     DriftAmplitude,
     ElastomerDesign,
     FixedProperties,
@@ -30,6 +31,7 @@ from edesign.project.dampers.designs import (
     StrainEnergyDesign,
     ViscousDesign,
 )
+from edesign.project.dampers.device_names import names_of_run
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
@@ -51,7 +53,12 @@ _UNCHANGED = {
 
 
 def check_design(
-    keys: Keys, spec: Design, project: AnalysisFile, problems: Problems, stand: Callable[[], object] | None = None
+    keys: Keys,
+    spec: Design,
+    project: AnalysisFile,
+    problems: Problems,
+    stand: Callable[[], object] | None = None,
+    stands: Callable[[Keys, DesignRun], object] | None = None,
 ) -> None:
     """Check a design of a study file.
 
@@ -60,7 +67,8 @@ def check_design(
         spec: without schema problems.
         project: that is studied.
         problems: of the study file; collects what is wrong.
-        stand: checks the places of its dampers in a building; None: they are in a plane frame.
+        stand: checks the candidates of a placement in a building; None: they are in a plane frame.
+        stands: checks the places of dampers of a kind in a building; None: they are in a plane frame.
     """
     if project.isolation is not None:
         message = (
@@ -78,10 +86,7 @@ def check_design(
         )
         return
     _law(keys, spec, project, problems)
-    if stand is not None:
-        stand()
-    else:
-        _in_frame(keys, spec, project, problems)
+    _places(keys, spec, project, problems, stands)
     check_design_hazard(keys, spec, project, problems)
     _braces((*keys, "brace"), spec, project, problems)
     _of_storeys(keys, spec, project, problems)
@@ -106,14 +111,44 @@ def design_warnings(spec: Design) -> list[str]:
     return []
 
 
-def _in_frame(keys: Keys, spec: SizedDesign, project: AnalysisFile, problems: Problems) -> None:
+def _places(
+    keys: Keys,
+    spec: SizedDesign,
+    project: AnalysisFile,
+    problems: Problems,
+    stands: Callable[[Keys, DesignRun], object] | None,
+) -> None:
+    """A design has a `kind` in its `bays`, or `places` of several kinds; they exist, and none comes twice."""
+    for key, what in (("kind", "how the dampers stand"), ("bays", "the bays that get dampers")):
+        if spec.places and getattr(spec, key) is not None:
+            problems.at_key((*keys, key), f"`places` says this for each kind; leave `{key}` out [E-KEY-03]")
+            return
+        if not spec.places and getattr(spec, key) is None:
+            problems.under(keys, key, f"this key is missing: {what}; or give `places` of several kinds [E-KEY-02]")
+            return
+    taken: dict[str, int] = {}
+    for i, run in enumerate(spec.runs):
+        where = (*keys, "places", i) if spec.places else keys
+        if stands is not None:
+            stands(where, run)
+        else:
+            _in_frame(where, run, project, problems)
+        own = names_of_run(project.grid, run)
+        if twice := [name for name in own if name in taken]:
+            message = f"`{twice[0]}` stands there by places[{taken[twice[0]]}] already [E-NAME-02]"
+            problems.at_value(where, message)
+        taken |= dict.fromkeys(own, i)
+
+
+def _in_frame(keys: Keys, run: DesignRun, project: AnalysisFile, problems: Problems) -> None:
     """Dampers stand in bays of the plane frame."""
     assert isinstance(project, Project)
     for key in ("along", "frames"):
-        if getattr(spec, key) is not None:
+        if getattr(run, key) is not None:
             problems.at_key((*keys, key), "a plane frame has one direction; this is of a building [E-KEY-03]")
-    if check_candidate_places(keys, spec, project, problems):
-        check_beams_met((*keys, "kind"), spec, project, problems)
+    check = Selections(project.frame, problems)
+    if check.bays(keys, run.bays) and check.storeys(keys, run.storeys):
+        check_beams_met((*keys, "kind"), run, project, problems)
 
 
 def _law(keys: Keys, spec: SizedDesign, project: AnalysisFile, problems: Problems) -> None:
@@ -206,7 +241,8 @@ def _braces(keys: Keys, spec: SizedDesign, project: AnalysisFile, problems: Prob
     brace = getattr(spec, "brace", None)
     if not isinstance(brace, (BraceSection, DesignedBrace)):
         return
-    check_brace(project, problems, keys, brace, spec.kind)
+    for kind in dict.fromkeys(run.kind for run in spec.runs):
+        check_brace(project, problems, keys, brace, kind)
     if not _has_level(spec):
         message = "this key is missing; the forces that braces hold are those of a hazard level [E-KEY-02]"
         problems.under(keys[:-1], "level", message)
@@ -216,7 +252,7 @@ def _braces(keys: Keys, spec: SizedDesign, project: AnalysisFile, problems: Prob
         if isinstance(spec, SimplifiedDesign) and brace.ratio is not None:
             problems.at_key((*keys, "ratio"), "`alpha` says how stiff they are at least; keep one of them [E-KEY-03]")
         return
-    storeys = len(spec.storeys.numbers(1, project.grid.n_storeys))
+    storeys = len({storey for run in spec.runs for storey in run.storeys.numbers(1, project.grid.n_storeys)})
     if len(brace.sections) not in (1, storeys):
         message = f"{counted(len(brace.sections), 'value')} for {counted(storeys, 'storey')}; one for each is needed"
         problems.at_value((*keys, "section"), f"{message} [E-VALUE-04]")

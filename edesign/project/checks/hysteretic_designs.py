@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from edesign.project.analysis_file import AnalysisFile
-from edesign.project.dampers.dampers import restrained_misfits
+from edesign.project.dampers.dampers import SET_IN, restrained_misfits
 from edesign.project.dampers.designs import (
     DESIGNED_BRACES,
     HYSTERETIC_TARGETS,
@@ -23,9 +23,21 @@ def check_hysteretic_design(keys: Keys, spec: HystereticDesign, project: Analysi
         problems: of the study file; collects what is wrong.
     """
     laws = project.dampers.laws if project.dampers is not None else {}
-    if spec.law in laws and laws[spec.law].type == "buckling_restrained":
-        for key, message in restrained_misfits(spec.kind, spec.brace, DESIGNED_BRACES).items():
-            problems.at_value((*keys, key), message)
+    law = laws.get(spec.law)
+    restrained = law is not None and law.type == "buckling_restrained"
+    for i, run in enumerate(spec.runs if restrained else ()):
+        for key, message in restrained_misfits(run.kind, spec.brace, DESIGNED_BRACES).items():
+            at = ("places", i) if spec.places and key == "kind" else ()
+            problems.at_value((*keys, *at, key), message)
+    if spec.carries_gravity:
+        if not restrained and law is not None and law.file is None:
+            problems.at_key((*keys, "carries_gravity"), SET_IN.format(spec.law))
+        if spec.distribution in ("storey_stiffness", "strain_energy"):
+            message = (
+                f"`{spec.distribution}` is of the frame without its dampers, which stands by them here; take "
+                "`storey_shear` or `uniform` [E-DESIGN-06]"
+            )
+            problems.at_value((*keys, "distribution"), message)
     targets = listed(HYSTERETIC_TARGETS)
     given = [key for key in HYSTERETIC_TARGETS if getattr(spec, key) is not None]
     if not given:

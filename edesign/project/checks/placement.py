@@ -42,14 +42,9 @@ def check_bays_of_frame(keys: Keys, spec: PlacementDesign, project: AnalysisFile
     if spec.bays is None:
         problems.under(keys, "bays", "this key is missing: the candidate bays [E-KEY-02]")
         return False
-    return check_candidate_places(keys, spec, project, problems) and not spec.places
-
-
-def check_candidate_places(keys: Keys, spec: Design, project: Project, problems: Problems) -> bool:
-    """Check that the frame has the bays and storeys of a design, and return whether it has."""
     check = Selections(project.frame, problems)
-    bays = spec.bays is None or check.bays(keys, spec.bays)
-    return check.storeys(keys, spec.storeys) and bays
+    bays = check.bays(keys, spec.bays)
+    return check.storeys(keys, spec.storeys) and bays and not spec.places
 
 
 def check_design_hazard(keys: Keys, spec: Design, project: AnalysisFile, problems: Problems) -> None:

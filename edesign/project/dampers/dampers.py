@@ -201,6 +201,7 @@ Brace = Annotated[
 ]
 
 
+SET_IN = "the law `{}` is of a damper that is set in under the gravity loads; leave this key out [E-DEVICE-02]"
 PROTOTYPE_SCALE = "the law `{}` has a `prototype`: give the size of the layers, not a `scale` [E-KEY-03]"
 BRACE_KINDS = ("chevron_braces", "rising", "falling", "nodes")
 """Of dampers that stand along the length of a brace."""

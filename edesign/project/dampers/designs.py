@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, NamedTuple
 
 from pydantic import Field
 
@@ -11,8 +11,9 @@ from edesign.project.analysis.damping import State
 from edesign.project.dampers.dampers import AnyChosenBrace, BraceSection
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.dampers.verification import HystereticVerify, Verify, ViscousVerify
-from edesign.project.notation.frames import Direction, Frames
-from edesign.project.notation.selections import ALL_NUMBERS, Numbers
+from edesign.project.notation.frames import Direction, Frames, FrameSelection
+from edesign.project.notation.selections import ALL_NUMBERS, Numbers, NumberSelection
+from edesign.project.notation.several import Names
 from edesign.project.notation.temperature import Temperature
 from edesign.project.notation.units import (
     LeastBrace,
@@ -145,16 +146,47 @@ class Bounds(Model):
     temperatures: tuple[Temperature, Temperature] | None = None
 
 
+Kind = Literal["chevron", "chevron_braces", "rising", "falling", "storey"]
+
+
+class DesignPlaces(Model):
+    """Places of a design whose dampers stand alike.
+
+    Attributes:
+        kind: how the dampers stand here.
+        frames: of a building, the frames of the design's direction; without the key those of the design.
+        bays: bays that get dampers of this kind.
+        storeys: storeys that get them; without the key those of the design.
+    """
+
+    kind: Kind
+    frames: Frames | None = None
+    bays: Numbers
+    storeys: Numbers | None = None
+
+
+class DesignRun(NamedTuple):
+    """Dampers of a design that stand alike: their kind, and where (see `InBays`)."""
+
+    kind: Kind
+    along: Direction | None
+    frames: FrameSelection | None
+    bays: NumberSelection
+    storeys: NumberSelection
+
+
 class _Design(Model):
     """What all methods need to know.
 
     Attributes:
         law: one of `dampers.laws` of the project.
-        kind: how the dampers stand, as in the project file.
+        kind: how the dampers stand, as in the project file; with `places` these say it.
         along: of a building, the direction of the frames that get dampers, in which the design acts.
         frames: of a building, the frames of this direction that get dampers.
-        bays: bays that get dampers.
+        bays: bays that get dampers; with `places` these say it.
+        places: bays of different kinds, such as rising and falling ones, that share the target.
         storeys: storeys that get dampers.
+        beside: designs above this one whose dampers stand in the frame while this one is sized and verified.
         number: dampers side by side at each place.
         temperature: temperature of the dampers, also in the histories; without the key that of the law.
         drift: target storey drift.
@@ -167,11 +199,13 @@ class _Design(Model):
     """
 
     law: str
-    kind: Literal["chevron", "chevron_braces", "rising", "falling", "storey"]
+    kind: Kind | None = None
     along: Direction | None = None
     frames: Frames | None = None
-    bays: Numbers
+    bays: Numbers | None = None
+    places: tuple[DesignPlaces, ...] = ()
     storeys: Numbers = ALL_NUMBERS
+    beside: Names | tuple[()] = ()
     number: Count = 1
     temperature: Temperature | None = None
     drift: PositiveRatio | None = None
@@ -180,6 +214,16 @@ class _Design(Model):
     level: str | None = None
     inherent_damping: UnitRatio | None = None
     bounds: Bounds | None = None
+
+    @property
+    def runs(self) -> tuple[DesignRun, ...]:
+        """The dampers of each kind: those of `places`, or the one of `kind` and `bays`."""
+        if self.kind is not None and self.bays is not None:
+            return (DesignRun(self.kind, self.along, self.frames, self.bays, self.storeys),)
+        return tuple(
+            DesignRun(at.kind, self.along, at.frames or self.frames, at.bays, at.storeys or self.storeys)
+            for at in self.places
+        )
 
 
 class _ElastomerDesign(_Design):
@@ -342,6 +386,8 @@ class HystereticDesign(_Design):
         equivalent_damping: whether the damping is that of a cycle of the amplitude, or the mean over all up to it.
         brace: braces of a storey together along its drift.
         distribution: yield forces of the dampers over the height.
+        carries_gravity: whether buckling-restrained braces act from the beginning, under the gravity loads too; a frame
+            that stands by them needs it.
         verify: time histories that close the loop.
     """
 
@@ -354,6 +400,7 @@ class HystereticDesign(_Design):
     equivalent_damping: Literal["amplitude", "average"] = "amplitude"
     brace: Brace = "rigid"
     distribution: Literal["storey_shear", "storey_stiffness", "strain_energy", "uniform"] = "storey_shear"
+    carries_gravity: bool = False
     verify: HystereticVerify | None = None
 
 

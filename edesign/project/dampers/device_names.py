@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from edesign.project.dampers.dampers import DamperBetween, Dampers, Device
-from edesign.project.dampers.designs import Design
+from edesign.project.dampers.designs import Design, DesignRun
 from edesign.project.dampers.isolation import AnyBaseDevice
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.notation import names
-from edesign.project.notation.grid import Grid, InBays
+from edesign.project.notation.grid import Grid
 
 
 def devices_by_name(grid: Grid, dampers: Dampers | None) -> dict[str, tuple[Device, int]]:
@@ -63,17 +63,22 @@ def names_of_design(grid: Grid, design: Design) -> tuple[str, ...]:
     Args:
         design: a design of a study.
     """
-    kinds: list[str]
-    runs: Sequence[InBays]
-    if isinstance(design, PlacementDesign):
-        kinds = list(dict.fromkeys(kind for item in design.catalogue.values() for kind in design.kinds_of(item)))
-        runs = design.candidates
-    else:
-        kinds, runs = [design.kind], [design]
+    if not isinstance(design, PlacementDesign):
+        return tuple(name for run in design.runs for name in names_of_run(grid, run))
+    kinds = dict.fromkeys(kind for item in design.catalogue.values() for kind in design.kinds_of(item))
     return tuple(
         name
         for kind in kinds
-        for run in runs
+        for run in design.candidates
         for place in grid.bay_places(run)
         for name in names.damper_names(kind, place.bay, place.storey, place.frame)
+    )
+
+
+def names_of_run(grid: Grid, run: DesignRun) -> tuple[str, ...]:
+    """Return the names of the dampers of one kind of a design."""
+    return tuple(
+        name
+        for place in grid.bay_places(run)
+        for name in names.damper_names(run.kind, place.bay, place.storey, place.frame)
     )

@@ -23,13 +23,13 @@ from edesign.project.checks.shaking import check_shaking
 from edesign.project.checks.vertical_motion import check_horizontal, check_vertical
 from edesign.project.checks.wave_passage import check_wave_passage
 from edesign.project.criteria.criteria import QuantityCriterion
-from edesign.project.dampers.designs import Design
+from edesign.project.dampers.designs import Design, SizedDesign
 from edesign.project.dampers.device_names import laws_of_design, names_of_dampers, names_of_design
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.dampers.verification import AnyVerify, PlacementVerify
 from edesign.project.frame.sections import ElasticSection, RectangleSection, SpaceElasticSection
 from edesign.project.project import Project
-from edesign.project.reading.problems import Keys, Problems, listed
+from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
 from edesign.project.records.records import record_of
 from edesign.project.study.checks_derived import check_derived
 from edesign.project.study.checks_incremental import check_incremental
@@ -89,7 +89,30 @@ def _design(study: Study, problems: Problems, keys: Keys, design: Design) -> Non
     elif isinstance(design, PlacementDesign):
         check_design(keys, design, base, problems, lambda: check_candidates(base, problems, keys, design))
     else:
-        check_design(keys, design, base, problems, lambda: check_bays(base, problems, keys, design))
+        check_design(keys, design, base, problems, stands=lambda at, run: check_bays(base, problems, at, run))
+    if not isinstance(design, PlacementDesign):
+        _beside(study, problems, keys, design)
+
+
+def _beside(study: Study, problems: Problems, keys: Keys, design: SizedDesign) -> None:
+    """A design stands beside designs above it, whose dampers are known when it is sized, on places of its own."""
+    keys = (*keys, "beside")
+    order = list(study.designs)
+    above = order[: order.index(str(keys[1]))]
+    for i, name in enumerate(design.beside):
+        if name not in study.designs:
+            problems.at_item(keys, i, unknown_name("design", name, above))
+            return
+        if name not in above:
+            message = f"`{name}` stands below; designs are sized in the order of the file, so put it above [E-NAME-03]"
+            problems.at_item(keys, i, message)
+            return
+        if isinstance(study.designs[name], PlacementDesign):
+            message = f"`{name}` is a placement, whose dampers have no stiffness at one amplitude; size beside others"
+            problems.at_item(keys, i, f"{message} [E-DESIGN-03]")
+            return
+    if design.beside:
+        _together(study, problems, keys, (*study.beside(str(keys[1])), str(keys[1])))
 
 
 def _variant(study: Study, problems: Problems, keys: Keys, variant: Variant) -> None:
@@ -100,6 +123,7 @@ def _variant(study: Study, problems: Problems, keys: Keys, variant: Variant) -> 
         return
     if variant.design is not None:
         check_names(problems, (*keys, "design"), "design", variant.design, study.designs)
+        _all_beside(study, problems, (*keys, "design"), variant.design)
         _together(study, problems, (*keys, "design"), variant.design)
     dampers = study.base.dampers
     if variant.dampers == "project" and (dampers is None or dampers.none):
@@ -109,6 +133,17 @@ def _variant(study: Study, problems: Problems, keys: Keys, variant: Variant) -> 
         for key in ("temperature", "property_factor"):
             if getattr(variant, key) is not None:
                 problems.at_key((*keys, key), "this variant has no dampers [E-DAMPER-04]")
+
+
+def _all_beside(study: Study, problems: Problems, keys: Keys, names: Sequence[str]) -> None:
+    """A variant has the designs beside which its own are sized."""
+    for i, name in enumerate(names):
+        absent = [other for other in study.beside(name) if other not in names] if name in study.designs else []
+        if absent:
+            message = f"`{name}` is sized beside `{absent[0]}`, which the variant lacks; write `design: "
+            whole = [other for other in study.designs if other in {*names, *absent}]
+            problems.at_item(keys, i, f"{message}[{', '.join(whole)}]` [E-VARIANT-02]")
+            return
 
 
 def _together(study: Study, problems: Problems, keys: Keys, names: Sequence[str]) -> None:

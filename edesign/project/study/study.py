@@ -210,6 +210,19 @@ class Study(FileModel):
         assert isinstance(self.base, Project), "a building is studied"
         return self.base
 
+    def beside(self, name: str) -> tuple[str, ...]:
+        """Return the designs whose dampers stand in the frame while a design is sized, in the order of the file.
+
+        They are those that it names, and those beside which these are sized.
+        """
+        found: set[str] = set()
+        open_names = list(getattr(self.designs[name], "beside", ()))
+        while open_names:
+            if (other := open_names.pop()) in self.designs and other not in found:
+                found.add(other)
+                open_names += getattr(self.designs[other], "beside", ())
+        return tuple(other for other in self.designs if other in found)
+
     @property
     def hazard(self) -> Hazard | None:
         """The seismic action of the project; None: it has none."""

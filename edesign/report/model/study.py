@@ -151,10 +151,13 @@ def _same(one: Project, other: Project, parts: Collection[str]) -> bool:
 def _planned_dampers(project: Project, design: Design) -> Dampers:
     """Dampers in the places of a design that has found no sizes; of a placement in all its candidate places."""
     dampers = dampers_at_temperature(project, design)
-    places = design.candidates if isinstance(design, PlacementDesign) else (design,)
+    if isinstance(design, PlacementDesign):
+        places = [(design.kind, at.bays, at.storeys) for at in design.candidates]
+    else:
+        places = [(at.kind, at.bays, at.storeys) for at in design.runs]
     runs = [
-        DamperRun.model_construct(kind=design.kind, bays=at.bays, storeys=at.storeys, law=law)
+        DamperRun.model_construct(kind=kind, bays=bays, storeys=storeys, law=law)
         for law in laws_of_design(design)
-        for at in places
+        for kind, bays, storeys in places
     ]
     return dampers.model_copy(update={"devices": tuple(runs)})

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from edesign.archive.dataset import Group
 from edesign.core import CoreError
@@ -37,6 +37,7 @@ from edesign.study.analysis.modal import mode_count
 from edesign.study.analysis.structure import Structure, frame_alone, make_frame, make_structure
 from edesign.study.check.criteria_inputs import check_criteria_inputs
 from edesign.study.check.spectrum_reach import check_incremental_reach, check_project_reach, check_pushover_reach
+from edesign.study.design.beside import Standing, standing_of
 from edesign.study.design.design import check_sizing
 from edesign.study.motions.applied import check_motion
 from edesign.study.motions.motions import check_fits
@@ -116,12 +117,15 @@ def checked_structure(project: AnalysisFile) -> Structure:
     except CoreError as error:
         laws = device_laws(project)
         runs = project.dampers.devices if project.dampers is not None else ()
-        idle = any(laws[run.law].restrained and not run.carries_gravity for run in runs)
+        restrained = any(law.restrained for law in laws.values())
         where = f"{project.where(project.grid_key)}: {project.grid_key}"
         if isinstance(project, Building):
             where = place_and_motion(project, str(error))
-        if idle:
-            raise InputError(f"{where}: braces that it stands by need `carries_gravity: true`: {error}") from error
+        if restrained and not any(run.carries_gravity for run in runs):
+            told = "braces that it stands by need `carries_gravity: true`"
+            if not runs:
+                told += " and a place in `dampers.devices`, of any first size where a design finds theirs"
+            raise InputError(f"{where}: {told}: {error}") from error
         raise InputError(f"{where}: {error}") from error
 
 
@@ -205,15 +209,28 @@ def _check_study_modes(study: Study) -> None:
 
 def _check_designs(study: Study, names: Sequence[str]) -> None:
     """Size designs once; a placement builds the frame with all its candidates."""
+    sized: dict[str, Standing | None] = {}
     for name in names:
         try:
             spec = study.designs[name]
             if isinstance(spec, PlacementDesign):
                 check_placement(study.base, name, spec, histories_of_a_round(study, name))
-            else:
-                check_sizing(study.base, name, spec, study.folder, factors_in_force(study, study.hazard))
+            elif (beside := standing_beside(study, name, sized)) is not None:
+                factors = factors_in_force(study, study.hazard)
+                sized[name] = check_sizing(study.base, name, spec, study.folder, factors, beside)
         except InputError as error:
             raise InputError(f"{study.where('designs', name)}: {error}") from error
+
+
+def standing_beside(study: Study, name: str, sized: Mapping[str, Standing | None]) -> Standing | None:
+    """Return the dampers beside which a design is sized; None: the sizing of one of them does not converge.
+
+    Args:
+        sized: of the designs above it that are not placements.
+    """
+    found = [sized.get(other) for other in study.beside(name)]
+    known = [one for one in found if one is not None]
+    return standing_of(known) if len(known) == len(found) else None
 
 
 def _check_modes(project: AnalysisFile, specs: tuple[PlannedAnalysis, ...], most: int) -> None:

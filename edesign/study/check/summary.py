@@ -32,12 +32,13 @@ from edesign.study.analysis.dampers import (
 from edesign.study.analysis.modal import fundamental_period
 from edesign.study.analysis.structure import make_frame
 from edesign.study.check.advice import named_record_warnings, project_warnings, study_warnings, unjudged
-from edesign.study.check.check import check_inputs, check_study_inputs, checked_structure
+from edesign.study.check.check import check_inputs, check_study_inputs, checked_structure, standing_beside
 from edesign.study.check.criteria_inputs import too_few_motions
 from edesign.study.check.histories import histories_text
 from edesign.study.check.plausibility import sizes
 from edesign.study.check.suitability import scale_warnings
-from edesign.study.design.design import first_warnings
+from edesign.study.design.beside import Standing
+from edesign.study.design.design import check_sizing, first_warnings
 from edesign.study.motions.motions import Motion, expected_scale
 from edesign.study.placement.placement import check_placement
 from edesign.study.plan.choosing import study_with_choices, with_choices
@@ -135,13 +136,16 @@ def check_study(study: Study) -> dict[str, str]:
     warnings = [*study_warnings(study, plan, recorded), *named_record_warnings(recorded), *unjudged(study, plan)]
     warnings += [*_scales(study.base, plan, found), *_failed_choices(study.base, found)]
     placements, factors = [], factors_in_force(study, study.hazard)
+    sized: dict[str, Standing | None] = {}
     for name in wanted_designs(study, plan):
         design = study.designs[name]
         if isinstance(design, PlacementDesign):  # whose dampers are known after histories alone
             extent = check_placement(study.base, name, design, histories_of_a_round(study, name))
             placements += [f"{name}: {extent}"] if extent else []
-        else:
-            warnings += first_warnings(study.base, name, design, study.folder, factors)
+        elif (beside := standing_beside(study, name, sized)) is not None:
+            warnings += first_warnings(study.base, name, design, study.folder, factors, beside)
+            if any(name in study.beside(other) for other in study.designs):
+                sized[name] = check_sizing(study.base, name, design, study.folder, factors, beside)
         warnings += [f"design {name}: {text}" for text in too_few_motions(study, name)]
     return {
         "title": study.title,

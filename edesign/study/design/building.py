@@ -4,22 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from itertools import compress
+from types import MappingProxyType
 from typing import Any, TypeVar
 
 import numpy as np
 
-from edesign.core import LawValues
+from edesign.core import CoreError, LawValues
 from edesign.errors import AnalysisError, InputError, split_code
 from edesign.frame.device_places import DevicePlace, device_places
-from edesign.frame.devices import Device, DeviceLaw
-from edesign.frame.frame_model import FrameModel
+from edesign.frame.devices import DeviceLaw
 from edesign.project.analysis_file import AnalysisFile, File
-from edesign.project.dampers.dampers import Brace, DamperRun, Dampers
-from edesign.project.dampers.designs import SizedDesign
+from edesign.project.dampers.dampers import Brace, BraceSection, BraceStiffness, DamperRun, Dampers
+from edesign.project.dampers.designs import HystereticDesign, SizedDesign
 from edesign.study.analysis.dampers import device_laws
 from edesign.study.analysis.structure import make_structure
+from edesign.study.design.beside import NOTHING_BESIDE, Standing
 from edesign.study.design.braces import sites_of
-from edesign.study.design.condensed import CondensedFrame, LinearModes, condense
+from edesign.study.design.condensed import CondensedFrame, LinearModes, condense, pull
 
 L = TypeVar("L")
 
@@ -44,6 +46,7 @@ class Building:
             deformation has as the floor above moves along the direction.
         deformation_scale: (d,) of its law over its own deformation: of braces that stretch with their length, else 1.
         places: (d,) with the geometry of the braces.
+        beside: dampers of other designs that stand in the frame.
     """
 
     project: AnalysisFile
@@ -60,6 +63,7 @@ class Building:
     pull: np.ndarray
     deformation_scale: np.ndarray
     places: tuple[DevicePlace, ...]
+    beside: Standing
 
     @property
     def designed_stiffness(self) -> np.ndarray:
@@ -109,11 +113,19 @@ class Building:
         return (of_storeys / self.attachment(power))[self.place_storey]
 
 
-def make_building(project: AnalysisFile, name: str, spec: SizedDesign) -> Building:
+def make_building(
+    project: AnalysisFile,
+    name: str,
+    spec: SizedDesign,
+    beside: Standing = NOTHING_BESIDE,
+    size: Mapping[str, Any] = MappingProxyType({}),
+) -> Building:
     """Build the frame, find the places and the stiffness of the storeys. Tuned masses are left out.
 
     Args:
         project: with the law; checked by `check_design`.
+        beside: dampers of other designs that stand in the frame.
+        size: keys of a device that say how large dampers are which carry gravity loads, and stand in the frame so.
 
     Returns:
         The frame with the places of its dampers and the stiffness of its storeys.
@@ -123,10 +135,11 @@ def make_building(project: AnalysisFile, name: str, spec: SizedDesign) -> Buildi
         AnalysisError: the frame is unstable.
     """
     law = law_at(project, spec.law, spec.temperature)
-    trial = _run(spec, "rigid", {})
-    empty = project.with_dampers(_dampers(project, trial, keep_attachments=False))
+    storeys = design_storeys(spec, project.grid.n_storeys)
+    runs = _runs(spec, storeys, "rigid", size)
+    trial = _dampers(project, runs, beside, keep_attachments=False)
     try:
-        structure = make_structure(empty, dampers=True)
+        structure = make_structure(project.with_dampers(trial), dampers=True)
     except InputError as error:  # its devices stand in no file: the place is the design
         _, trial_device, message = str(error).rpartition("dampers.devices[0]: ")
         if not trial_device:
@@ -135,17 +148,26 @@ def make_building(project: AnalysisFile, name: str, spec: SizedDesign) -> Buildi
         raise InputError(
             f"designs.{name}: {sentence}; its bays and storeys reach beyond the members [E-DESIGN-01]"
         ) from error
+    except CoreError as error:
+        if law.restrained is None or carries_gravity(spec):
+            raise
+        raise AnalysisError(f"braces that the frame stands by need `carries_gravity: true`: {error}") from error
     if spec.state == "gravity":
         structure.apply_gravity()
     direction = 0 if spec.along is None else ("x", "y").index(spec.along)
     across = structure.frame.directions[direction].degree
-    frame = condense(structure, direction)
-    devices = structure.frame.devices
+    devices = [device for device in structure.frame.devices if device.name not in beside.stiffness]
+    reference = None
+    if carries_gravity(spec) and structure.frame.brace_stiffness is not None:
+        reference = structure.frame.brace_stiffness[[device.number for device in devices]]
+    frame = condense(structure, direction, beside.stiffness, reference)
     if not devices:
         raise InputError(f"designs.{name}: no place is left for a damper in these bays and storeys [E-DESIGN-01]")
-    storeys = np.array(spec.storeys.numbers(1, project.grid.n_storeys))
+    sites, where = sites_of(project), f"designs.{name}"
     index = {storey: i for i, storey in enumerate(storeys.tolist())}
-    computed = storey_stiffness(frame, storeys)
+    pulls = np.array([pull(structure.frame, device, across) for device in devices])
+    numbers = np.array([device.storey for device in devices])
+    computed = storey_stiffness(frame, storeys, numbers, pulls)
     given = spec.storey_stiffness
     return Building(
         project,
@@ -157,29 +179,43 @@ def make_building(project: AnalysisFile, name: str, spec: SizedDesign) -> Buildi
         computed if given == "computed" else np.array(given),
         computed,
         tuple(device.name for device in devices),
-        np.array([index[device.storey] for device in devices]),
+        np.array([index[storey] for storey in numbers.tolist()]),
         np.array([sum(max(c, 0.0) for c, _, degree in device.terms if degree == across) for device in devices]),
-        np.array([_pull(structure.frame, device, across) for device in devices]),
+        pulls,
         np.array([device.deformation_scale for device in devices]),
-        tuple(device_places(empty, trial, sites_of(empty), structure.frame.nodes, f"designs.{name}")),
+        tuple(place for run in runs for place in device_places(project, run, sites, structure.frame.nodes, where)),
+        beside,
     )
 
 
-def _pull(frame: FrameModel, device: Device, across: int) -> float:
-    """What the deformation of a damper grows by as the floor above it moves by 1."""
-    above = {frame.nodes[name] for name in frame.floors[device.storey - 1].nodes}
-    return sum(c for c, node, degree in device.terms if degree == across and node in above)
+def design_storeys(spec: SizedDesign, n_storeys: int) -> np.ndarray:
+    """Return the numbers of the storeys with dampers of a design, (s,), from the lowest.
+
+    Args:
+        n_storeys: of the frame.
+    """
+    return np.unique([storey for run in spec.runs for storey in run.storeys.numbers(1, n_storeys)])
 
 
-def storey_stiffness(frame: CondensedFrame, storeys: np.ndarray) -> np.ndarray:
+def carries_gravity(spec: SizedDesign) -> bool:
+    """Return whether the dampers of a design act from the beginning, under the gravity loads too."""
+    return isinstance(spec, HystereticDesign) and spec.carries_gravity
+
+
+def storey_stiffness(
+    frame: CondensedFrame, storeys: np.ndarray, places: np.ndarray | None = None, pulls: np.ndarray | None = None
+) -> np.ndarray:
     """Return the storey stiffness of the frame without dampers under the loads of its first mode, (f,) N/m.
 
     It is storey shear over storey drift. Under these loads the displacements are the mode itself. Of a building both
     are along the direction of the design, under the loads of its `Lead`; the drift is at the centre of mass of the
-    floor above. A storey below a floor that the ground holds has none, nan.
+    floor above. A storey below a floor that the ground holds has none, nan. Where the frame stands by its dampers, the
+    first mode is that with their reference, and the shear is what the dampers leave.
 
     Args:
         storeys: with dampers, from 1.
+        places: storey of each damper, from 1, (d,), for a frame that stands by them.
+        pulls: `pull` of each, (d,).
 
     Raises:
         AnalysisError: a storey with dampers does not shear in the first mode.
@@ -192,6 +228,8 @@ def storey_stiffness(frame: CondensedFrame, storeys: np.ndarray) -> np.ndarray:
             f"storey {', '.join(still)} does not shear in the first mode of the frame: it has no storey stiffness "
             "[E-DESIGN-02]"
         )
+    if frame.reference is not None and places is not None and pulls is not None:
+        np.subtract.at(shear, places - 1, frame.reference * lead.dampers * pulls)
     return np.divide(shear, drift, out=np.full(shear.size, np.nan), where=shears)
 
 
@@ -265,10 +303,12 @@ def sized_dampers(building: Building, spec: SizedDesign, brace: Brace, size: Map
 
     Args:
         spec: the design; its temperature, if it has one, becomes that of its law.
-        size: keys of a device that say how large it is, such as `layer_area` or `scale`.
+        brace: of the dampers; lists go by the storeys with dampers.
+        size: keys of a device that say how large it is, such as `layer_area` or `scale`; of tuples (s,) each place has
+            those of its storeys.
     """
     project = with_temperature(building.project, spec.law, spec.temperature)
-    return _dampers(project, _run(spec, brace, size), keep_attachments=True)
+    return _dampers(project, _runs(spec, building.storeys, brace, size), NOTHING_BESIDE, keep_attachments=True)
 
 
 def per_storey(values: np.ndarray) -> tuple[float, ...]:
@@ -276,22 +316,30 @@ def per_storey(values: np.ndarray) -> tuple[float, ...]:
     return tuple(float(value) for value in values)
 
 
-def _run(spec: SizedDesign, brace: Brace, size: Mapping[str, Any]) -> DamperRun:
-    return DamperRun.model_construct(
-        kind=spec.kind,
-        along=spec.along,
-        frames=spec.frames,
-        bays=spec.bays,
-        storeys=spec.storeys,
-        law=spec.law,
-        number=spec.number,
-        brace=brace,
-        **size,
-    )
+def _runs(spec: SizedDesign, storeys: np.ndarray, brace: Brace, size: Mapping[str, Any]) -> tuple[DamperRun, ...]:
+    """The dampers of each kind; of lists by the storeys with dampers, (s,), each has its own."""
+    found = []
+    for run in spec.runs:
+        here = np.isin(storeys, run.storeys.numbers(1, int(storeys[-1]))).tolist()
+
+        def own(given: Any, here: list[bool] = here) -> Any:
+            return tuple(compress(given, here)) if isinstance(given, tuple) else given
+
+        held = brace
+        if isinstance(brace, BraceStiffness):
+            held = brace.model_copy(update={"stiffness": own(brace.stiffness)})
+        elif isinstance(brace, BraceSection):
+            held = brace.model_copy(update={"section": own(brace.section)})
+        about = {**run._asdict(), "law": spec.law, "number": spec.number, "brace": held}
+        if carries_gravity(spec):
+            about["carries_gravity"] = True
+        found.append(DamperRun.model_construct(**about, **{key: own(given) for key, given in size.items()}))
+    return tuple(found)
 
 
-def _dampers(project: AnalysisFile, run: DamperRun, keep_attachments: bool) -> Dampers:
+def _dampers(project: AnalysisFile, runs: tuple[DamperRun, ...], beside: Standing, keep_attachments: bool) -> Dampers:
     before = project.dampers
     assert before is not None, "check_design wants the law"
     attachments = before.attachments if keep_attachments else ()
-    return Dampers.model_construct(laws=before.laws, devices=(run,), attachments=attachments)
+    laws = {**before.laws, **beside.laws}
+    return Dampers.model_construct(laws=laws, devices=(*runs, *beside.devices), attachments=attachments)

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 
 import numpy as np
 import scipy
 
 from edesign.core.modes import UNSTABLE
 from edesign.errors import AnalysisError
+from edesign.frame.devices import Device
 from edesign.frame.frame_model import FrameModel, Sum
 from edesign.study.analysis.leading_mode import clusters
 from edesign.study.analysis.structure import Structure
@@ -68,6 +70,8 @@ class LinearModes:
         first: index of the mode that leads in the direction of the frame; of a plane frame the first.
         told: indices of the modes that results tell of, as `told_modes`.
         lead: what a design calls the first mode.
+        beside: (n, c) deformation of each damper of other designs, with its brace.
+        beside_damping: (n,) damping ratio that these add to each mode, by modal strain energy.
     """
 
     omega: np.ndarray
@@ -80,6 +84,13 @@ class LinearModes:
     first: int
     told: np.ndarray
     lead: Lead
+    beside: np.ndarray
+    beside_damping: np.ndarray
+
+    @property
+    def first_beside_damping(self) -> float:
+        """Damping ratio that dampers of other designs add to the vibration along the direction."""
+        return self.lead.mean(lambda i: float(self.beside_damping[i]))
 
     @property
     def first_omega(self) -> float:
@@ -116,11 +127,30 @@ class InPlan:
 
 
 @dataclass(frozen=True)
+class DampersBeside:
+    """Dampers of other designs in the frame (c), whose storage stiffness is part of it.
+
+    Attributes:
+        stiffness: complex, of each with its brace, (c,) N/m.
+        storey: number of the storey of each, (c,).
+        pull: (c,) as that of `Building`.
+        B: (c, m), C: (c, d), deformation of each by loads on the masses and by forces of the dampers, m/N.
+    """
+
+    stiffness: np.ndarray
+    storey: np.ndarray
+    pull: np.ndarray
+    B: np.ndarray
+    C: np.ndarray
+
+
+@dataclass(frozen=True)
 class CondensedFrame:
     """Flexibilities of the frame without dampers between masses (m), floors (f) and dampers (d).
 
     With dampers of (complex) stiffness k the flexibility between the masses is A - B' (1 + k C)^-1 k B, which is
-    Woodbury's identity for (K + D' k D)^-1: nothing is approximated.
+    Woodbury's identity for (K + D' k D)^-1: nothing is approximated. Where the frame is a mechanism without them, the
+    flexibilities are those with dampers of a reference stiffness, and k is what they have beyond it.
 
     Attributes:
         mass: (m,) kg.
@@ -129,6 +159,8 @@ class CondensedFrame:
         A: (m, m), B: (d, m), C: (d, d), m/N.
         floor_A: (f, m), floor_B: (f, d), m/N.
         plan: of a building; None of a plane frame.
+        reference: (d,) stiffness of the dampers that the flexibilities contain, N/m; None: nothing.
+        beside: dampers of other designs; None: there are none.
     """
 
     mass: np.ndarray
@@ -140,6 +172,13 @@ class CondensedFrame:
     floor_A: np.ndarray
     floor_B: np.ndarray
     plan: InPlan | None = None
+    reference: np.ndarray | None = None
+    beside: DampersBeside | None = None
+
+    @property
+    def standing(self) -> np.ndarray:
+        """Stiffness of the dampers with which the frame is called bare, (d,) N/m: none, or that of `reference`."""
+        return np.zeros(self.n_devices) if self.reference is None else self.reference
 
     @property
     def n_devices(self) -> int:
@@ -160,16 +199,16 @@ class CondensedFrame:
         """Return all natural modes of the frame with dampers of a storage stiffness.
 
         Args:
-            stiffness: storage stiffness of the dampers, (d,) N/m; None: without dampers.
+            stiffness: storage stiffness of the dampers, (d,) N/m; None: without dampers, or with their `reference`.
 
         Raises:
             AnalysisError: a squared frequency is not positive.
         """
-        flexibility, forces, dampers = self._with(np.zeros(self.n_devices) if stiffness is None else stiffness)
+        flexibility, forces, dampers = self._with(self.standing if stiffness is None else stiffness)
         root = np.sqrt(self.mass)
         inverse, vectors = scipy.linalg.eigh(root[:, None] * flexibility * root)
         if inverse[0] <= 0.0:
-            raise AnalysisError(f"modes: {UNSTABLE}")
+            raise AnalysisError(f"modes: {UNSTABLE} [E-DESIGN-02]")
         omega = 1.0 / np.sqrt(inverse[::-1])
         shapes = vectors[:, ::-1].T / root
         if self.plan is not None:
@@ -190,7 +229,12 @@ class CondensedFrame:
             share, inertia = (shapes @ (self.mass * shape)) ** 2, guided_omega**2 * self.mass * shape
             led = (to_floors @ inertia, to_storeys @ inertia, dampers @ inertia)
             lead = Lead(share, shape, inertia, *led, float(shape @ (self.mass * self.influence)))
-        return LinearModes(omega, shapes, floors, storeys, deformations, participation, lines, first, told, lead)
+        beside, damping = np.zeros((omega.size, 0)), np.zeros(omega.size)
+        if self.beside is not None:
+            beside = loads @ (self.beside.B - self.beside.C @ forces).T
+            damping = 0.5 * (beside**2 @ self.beside.stiffness.imag) / omega**2  # thesis Eq. 5.6
+        found = (omega, shapes, floors, storeys, deformations, participation, lines, first, told, lead)
+        return LinearModes(*found, beside, damping)
 
     def _guided(self, flexibility: np.ndarray) -> tuple[float, np.ndarray]:
         """Circular frequency and shape (m,) of the guided mode with most mass along the direction.
@@ -298,8 +342,11 @@ class CondensedFrame:
         return self.plan.line_A - self.plan.line_B @ forces
 
     def _with(self, stiffness: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """With dampers and loads on the masses: displacements of these, forces and deformations of the dampers."""
-        k = np.asarray(stiffness)
+        """With dampers and loads on the masses: displacements of these, forces and deformations of the dampers.
+
+        The forces are those beyond what the dampers have by their `reference`.
+        """
+        k = np.asarray(stiffness) - self.standing
         dampers = np.linalg.solve(np.eye(k.size) + self.C * k, self.B)  # deformation by loads on the masses
         forces = k[:, None] * dampers
         flexibility = self.A - self.B.T @ forces
@@ -318,12 +365,19 @@ def alike(wanted: np.ndarray, vectors: np.ndarray) -> np.ndarray:
     return np.asarray(order)
 
 
-def condense(structure: Structure, direction: int = 0) -> CondensedFrame:
+def condense(
+    structure: Structure,
+    direction: int = 0,
+    beside: Mapping[str, complex] = MappingProxyType({}),
+    reference: np.ndarray | None = None,
+) -> CondensedFrame:
     """Reduce a structure in its present state, with its dampers' places but without their stiffness.
 
     Args:
         structure: the frame and its analysis, under gravity or not.
         direction: index of that of the ground motion and of the floors; masses of all directions are in the result.
+        beside: complex stiffness, N/m, by name, of dampers that are not its own places but stand in it.
+        reference: stiffness of its own dampers that the flexibilities shall contain, (d,) N/m; None: nothing.
 
     Returns:
         The flexibilities between masses, floors and dampers.
@@ -348,13 +402,21 @@ def condense(structure: Structure, direction: int = 0) -> CondensedFrame:
             floor_at[mover != 0.0] = row
     influence = np.zeros(n)
     influence[across[across >= 0]] = 1.0
-    directions = analysis.damper_directions().toarray()[[device.number for device in frame.devices]]
+    every = analysis.damper_directions().toarray()
+    own, others = ([d for d in frame.devices if (d.name in beside) == apart] for apart in (False, True))
+    directions, theirs = (every[[device.number for device in devices]] for devices in (own, others))
+    stiffness = analysis.stiffness()
+    complex_stiffness = np.array([beside[device.name] for device in others], dtype=complex)
+    for rows, k in ((theirs, complex_stiffness.real), (directions, reference)):
+        if k is not None and k.size:
+            sparse = scipy.sparse.csc_matrix(rows)
+            stiffness = (stiffness + sparse.T @ scipy.sparse.diags(k) @ sparse).tocsc()
     space = frame.model.dimension == 3
     lines = [(i, at.ratio) for i, storey in enumerate(frame.storeys) for at in storey.drifts[direction] if space]
     unit = np.zeros((n, heavy.size))
     unit[heavy, np.arange(heavy.size)] = 1.0
     try:
-        solver = scipy.sparse.linalg.splu(analysis.stiffness())
+        solver = scipy.sparse.linalg.splu(stiffness)
     except RuntimeError as error:
         raise AnalysisError(f"the stiffness of the frame is singular: {error} [E-GRAV-01]") from error
     by_masses, by_dampers = solver.solve(unit), solver.solve(np.ascontiguousarray(directions.T))
@@ -366,6 +428,11 @@ def condense(structure: Structure, direction: int = 0) -> CondensedFrame:
         on_lines = (np.array([i for i, _ in lines]), ratios @ by_masses, ratios @ by_dampers)
         guides = _guides(structure, ground, heavy, direction)
         plan = InPlan(ground, *on_lines, storeys @ by_masses, storeys @ by_dampers, guides)
+    stands = None
+    if others:
+        numbers = np.array([device.storey for device in others])
+        pulls = np.array([pull(frame, device, frame.directions[direction].degree) for device in others])
+        stands = DampersBeside(complex_stiffness, numbers, pulls, theirs @ by_masses, theirs @ by_dampers)
     return CondensedFrame(
         mass[heavy],
         influence[heavy],
@@ -376,7 +443,19 @@ def condense(structure: Structure, direction: int = 0) -> CondensedFrame:
         floor_rows @ by_masses,
         floor_rows @ by_dampers,
         plan,
+        reference,
+        stands,
     )
+
+
+def pull(frame: FrameModel, device: Device, across: int) -> float:
+    """Return what the deformation of a damper grows by as the floor above it moves by 1.
+
+    Args:
+        across: degree of the core along which the floor moves.
+    """
+    above = {frame.nodes[name] for name in frame.floors[device.storey - 1].nodes}
+    return sum(c for c, node, degree in device.terms if degree == across and node in above)
 
 
 def _storey_rows(structure: Structure, floor_rows: np.ndarray, direction: int) -> np.ndarray:

@@ -13,6 +13,7 @@ from edesign.errors import AnalysisError, InputError
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.dampers import Dampers
 from edesign.project.dampers.designs import HystereticDesign, SizedDesign, ViscousDesign
+from edesign.study.design.beside import NOTHING_BESIDE, Standing
 from edesign.study.design.designer import Designer, labels
 from edesign.study.design.elastomer.designer import ElastomerDesigner
 from edesign.study.design.hysteretic.designer import HystereticDesigner
@@ -30,12 +31,14 @@ class DesignResult:
         group: for the archive, designs/NAME.
         status: "completed" or "failed".
         reason: of the failure.
+        standing: its dampers as designs beside it see them.
     """
 
     dampers: Dampers
     group: Group
     status: str
     reason: str
+    standing: Standing = NOTHING_BESIDE
 
 
 def run_design(
@@ -49,6 +52,7 @@ def run_design(
     progress: Callable[[str], None] = lambda text: None,
     keep: Callable[[Group], None] | None = None,
     factors: DeviceFactors = NONE,
+    beside: Standing = NOTHING_BESIDE,
 ) -> DesignResult:
     """Design dampers, and change them until the histories meet the criteria, if the design asks for it.
 
@@ -61,6 +65,7 @@ def run_design(
         progress: called with what goes on.
         keep: given the group after each verified round, for `resume`.
         factors: of the code, on stroke and velocity of the dampers, and on what holds them.
+        beside: dampers of other designs that stand in the frame.
 
     Returns:
         The dampers, the archived group and the status; a design that fails for numerical reasons has no dampers.
@@ -71,7 +76,7 @@ def run_design(
     Source: thesis 5.3.4.
     """
     try:
-        run = _designer(project, name, spec, folder, progress, factors)
+        run = _designer(project, name, spec, folder, progress, factors, beside)
         done = run.search(respond, judge, resume, keep)
         status = "failed" if done.reason else "completed"
         group = run.group(done, status)
@@ -82,12 +87,18 @@ def run_design(
         return DesignResult(before.model_copy(update={"devices": ()}), group, "failed", str(error))
     except InputError as error:
         raise _named(name, error) from error
-    return DesignResult(run.dampers(done.chosen.sizing), group, status, done.reason)
+    sizing = done.chosen.sizing
+    return DesignResult(run.dampers(sizing), group, status, done.reason, run.standing(sizing))
 
 
 def check_sizing(
-    project: AnalysisFile, name: str, spec: SizedDesign, folder: Path, factors: DeviceFactors = NONE
-) -> None:
+    project: AnalysisFile,
+    name: str,
+    spec: SizedDesign,
+    folder: Path,
+    factors: DeviceFactors = NONE,
+    beside: Standing = NOTHING_BESIDE,
+) -> Standing | None:
     """Size a design once, so that a target which no damper can reach shows before anything is run.
 
     A sizing that does not converge is left to `run_design`, which keeps its history.
@@ -96,21 +107,30 @@ def check_sizing(
         project: the project with the law, as for `run_design`.
         folder: the folder that files named in the design are relative to.
         factors: of the code, on dampers and on what holds them.
+        beside: dampers of other designs that stand in the frame.
+
+    Returns:
+        The dampers as designs beside this one see them; None: the sizing does not converge.
 
     Raises:
         InputError: no damper reaches the target, or a file or law is wrong.
     """
     try:
-        run = _designer(project, name, spec, folder, lambda text: None, factors)
-        run.make(run.range()[0])
+        run = _designer(project, name, spec, folder, lambda text: None, factors, beside)
+        return run.standing(run.make(run.range()[0]))
     except AnalysisError:
-        return
+        return None
     except InputError as error:
         raise _named(name, error) from error
 
 
 def first_warnings(
-    project: AnalysisFile, name: str, spec: SizedDesign, folder: Path, factors: DeviceFactors = NONE
+    project: AnalysisFile,
+    name: str,
+    spec: SizedDesign,
+    folder: Path,
+    factors: DeviceFactors = NONE,
+    beside: Standing = NOTHING_BESIDE,
 ) -> list[str]:
     """Return the warnings about a design before any history; for a verified design, those about its first round.
 
@@ -118,12 +138,13 @@ def first_warnings(
         project: the project with the law, which has passed `check_sizing`.
         folder: the folder that files named in the design are relative to.
         factors: of the code, on dampers and on what holds them.
+        beside: dampers of other designs that stand in the frame.
 
     Returns:
         One sentence for each warning.
     """
     try:
-        run = _designer(project, name, spec, folder, lambda text: None, factors)
+        run = _designer(project, name, spec, folder, lambda text: None, factors, beside)
         value = run.range()[0]
         only = Round(1, value, run.make(value))
         reason = only.sizing.reason
@@ -142,14 +163,15 @@ def _designer(
     folder: Path,
     progress: Callable[[str], None],
     factors: DeviceFactors,
+    beside: Standing,
 ) -> Designer[Any]:
     run: Designer[Any]
     if isinstance(spec, ViscousDesign):
-        run = ViscousDesigner(project, name, spec, progress)
+        run = ViscousDesigner(project, name, spec, progress, beside)
     elif isinstance(spec, HystereticDesign):
-        run = HystereticDesigner(project, name, spec, progress)
+        run = HystereticDesigner(project, name, spec, progress, beside)
     else:
-        run = ElastomerDesigner(project, name, spec, folder, progress)
+        run = ElastomerDesigner(project, name, spec, folder, progress, beside)
     run.factors = factors
     return run
 

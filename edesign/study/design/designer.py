@@ -18,7 +18,8 @@ from edesign.errors import InputError
 from edesign.ground_motion.hazard import rules_in_force
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.dampers import Brace, BraceStiffness, Dampers
-from edesign.project.dampers.designs import Optimum, SizedDesign
+from edesign.project.dampers.designs import DesignRun, Optimum, SizedDesign
+from edesign.study.design.beside import NOTHING_BESIDE, Standing, standing
 from edesign.study.design.bounds import Bound, analyse_bounds
 from edesign.study.design.braces import history_forces
 from edesign.study.design.building import Building, make_building, per_storey, sized_dampers
@@ -60,10 +61,17 @@ class Designer(ABC, Generic[S]):
     results: ClassVar[Results]
     model: DeviceModel[Any, Any]
 
-    def __init__(self, project: AnalysisFile, name: str, spec: SizedDesign, progress: Callable[[str], None]) -> None:
+    def __init__(
+        self,
+        project: AnalysisFile,
+        name: str,
+        spec: SizedDesign,
+        progress: Callable[[str], None],
+        beside: Standing = NOTHING_BESIDE,
+    ) -> None:
         self.name, self.project, self.progress = name, project, progress
         self._spec = spec
-        self.building: Building = make_building(project, name, spec)
+        self.building: Building = make_building(project, name, spec, beside)
         self.action: Action | None = make_action(project, spec)
         self.factors = NONE
         self._share: np.ndarray | None = None
@@ -224,6 +232,15 @@ class Designer(ABC, Generic[S]):
         target = self.target
         return target, target if math.isnan(target) or self._spec.verify is None else self.largest(target)
 
+    def take(self, sizing: S) -> None:
+        """Let the frame be that of a sizing, where dampers carry gravity loads; it does nothing for others."""
+
+    def standing(self, sizing: S) -> Standing:
+        """Return the dampers of a sizing as the designs beside this one see them."""
+        self.take(sizing)
+        stiffness = self.model.complex_stiffness(self.state(sizing))
+        return standing(self.dampers(sizing), self.building.names, stiffness)
+
     def dampers(self, sizing: S) -> Dampers:
         """Return the project's dampers with those of a sizing."""
         model, brace = self.model, cast(Brace, "rigid")
@@ -248,6 +265,7 @@ class Designer(ABC, Generic[S]):
             done: all rounds and the chosen one.
             status: completed, failed, interrupted or checked.
         """
+        self.take(done.chosen.sizing)
         spec, model, results, sizing = self._spec, self.model, self.results, done.chosen.sizing
         model.hold(sizing.braces)
         group = Group(attributes=labels(spec) | {"status": status, "reason": done.reason})
@@ -266,6 +284,8 @@ class Designer(ABC, Generic[S]):
                 store_bounds(group, model, results, bounds)
         state = self.state(sizing)
         modes = model.building.frame.modes(model.storage(state))
+        if model.building.frame.beside is not None:
+            group.attributes["beside_damping"] = modes.first_beside_damping
         warnings = [*shared_mode(modes, model.losses(state, modes)), *self.further(group, done, found)]
         if model.holding is not None and action is not None:
             warnings += self._store_braces(group, done.chosen)
@@ -393,10 +413,22 @@ class Designer(ABC, Generic[S]):
 
 def labels(spec: SizedDesign) -> dict[str, Any]:
     """Return the attributes of the archive that identify a design."""
-    found: dict[str, Any] = {"method": spec.method, "law": spec.law, "kind": spec.kind, "bays": str(spec.bays)}
+    runs = spec.runs
+    found: dict[str, Any] = {"method": spec.method, "law": spec.law}
+    found |= {"kind": ", ".join(dict.fromkeys(run.kind for run in runs))}
+    found["bays"] = _of_runs(runs, [str(run.bays) for run in runs])
     if spec.along is not None:
-        found |= {"along": spec.along, "frames": str(spec.frames)}
+        found |= {"along": spec.along, "frames": _of_runs(runs, [str(run.frames) for run in runs])}
+    if spec.beside:
+        found["beside"] = list(spec.beside)
     found |= {"state": spec.state, "level": spec.level or ""}
     found["changed"] = spec.verify.change if spec.verify is not None else "target"
     found |= {key: getattr(spec, key) for key in ("distribution", "braces_in_target") if hasattr(spec, key)}
     return found
+
+
+def _of_runs(runs: Sequence[DesignRun], values: Sequence[str]) -> str:
+    """What dampers of all kinds have in common, or what those of each kind have."""
+    if len(set(values)) == 1:
+        return values[0]
+    return "; ".join(f"{value} ({run.kind})" for run, value in zip(runs, values, strict=True))

@@ -63,7 +63,7 @@ class DeviceModel(ABC, Generic[D, V]):
 
     Attributes:
         power: of the cosine of a damper's slope, with which it adds to its storey.
-        bare: modes without dampers.
+        bare: modes without dampers of the design, but for those that the frame stands by, and with those beside.
         brace: horizontal stiffness of the braces of each storey with dampers, (s,) N/m; None: rigid.
         holding: sections of the braces; None: they have none.
     """
@@ -152,7 +152,7 @@ class DeviceModel(ABC, Generic[D, V]):
             storeys: drifts of the storeys in it, (f,).
             share: of the spectral displacement that the roof has, participation factor times its displacement.
             omega: circular frequency of the mode, rad/s.
-            damping: damping ratio that the dampers add to it.
+            damping: damping ratio that the dampers add to it, with those beside.
             action: whose spectrum gives the amplitude; None: what the design says.
         """
         amplitude = getattr(self.spec, "amplitude", None)
@@ -174,6 +174,10 @@ class DeviceModel(ABC, Generic[D, V]):
         """
         modes = self.building.frame.modes(stiffness.real)
         return modes.lead.mean(strain_energy_damping(modes, stiffness).__getitem__)
+
+    @abstractmethod
+    def complex_stiffness(self, state: V) -> np.ndarray:
+        """Return the complex stiffness of dampers and braces at each place in the first mode, (d,) N/m."""
 
     @abstractmethod
     def storage(self, state: V) -> np.ndarray:
@@ -216,8 +220,8 @@ class DeviceModel(ABC, Generic[D, V]):
     def bare_estimate(self, action: Action) -> FrameEstimate:
         """Estimate the response of the frame without dampers by the response spectrum method."""
         peaks = spectral_peaks(self.building.frame, action, self.bare, np.zeros(self.bare.omega.size))
-        nothing = np.zeros(self.building.frame.n_devices)
-        return self._estimate(self.bare, nothing, peaks, nothing, {})
+        frame = self.building.frame
+        return self._estimate(self.bare, frame.standing, peaks, np.zeros(frame.n_devices), {})
 
     def _drift(self, modes: LinearModes, peaks: SpectralPeaks) -> np.ndarray:
         return self.building.drifts(peaks.combined(modes.storeys), peaks.combined(modes.lines))
@@ -236,6 +240,8 @@ class DeviceModel(ABC, Generic[D, V]):
         columns = shears.copy()
         horizontal = modes.dampers * storage * building.pull
         np.add.at(columns.T, building.storeys[building.place_storey] - 1, -horizontal.T)
+        if (beside := building.frame.beside) is not None:
+            np.add.at(columns.T, beside.storey - 1, -(modes.beside * beside.stiffness.real * beside.pull).T)
         return FrameEstimate(
             self._drift(modes, peaks),
             float(peaks.combined(modes.floors[:, -1:])[0]),

@@ -32,6 +32,7 @@ def _entry(run: object) -> dict[str, object]:
         "number": run.number,
         **size,
         "brace": _brace(run.brace),
+        **({"carries_gravity": True} if run.carries_gravity else {}),
     }
 
 

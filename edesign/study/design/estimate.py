@@ -125,11 +125,11 @@ def spectral_peaks(frame: CondensedFrame, action: Action, modes: LinearModes, ad
     Args:
         action: spectrum, and damping ratio of the frame without dampers.
         modes: with the dampers' stiffness.
-        added: damping ratio that the dampers add to each mode, (n,).
+        added: damping ratio that the dampers of the design add to each mode, (n,); those beside it add theirs.
     """
     total = float(frame.mass @ frame.influence)
     kept = modes.participation**2 > _NEGLIGIBLE_MASS * total
-    damping = np.minimum(action.inherent_damping + added[kept], 1.0)
+    damping = np.minimum(action.inherent_damping + (added + modes.beside_damping)[kept], 1.0)
     omega = modes.omega[kept]
     spectral = [action.displacement(float(w), float(zeta)) for zeta, w in zip(damping, omega, strict=True)]
     return SpectralPeaks(kept, modes.participation[kept] * np.array(spectral), cqc(omega, damping))

@@ -29,7 +29,7 @@ def variant_project(
         KeyError: a design of the variant is not in `designed`.
     """
     variant, base = study.variants[name], study.project_of(name)
-    dampers = _together(study, variant.designs, designed) if variant.designs else base.dampers
+    dampers = together(study, variant.designs, designed) if variant.designs else base.dampers
     if variant.dampers == "none" or dampers is None:
         return base.with_dampers(None)
     factor, own_temperature = bound_of(study, name)
@@ -63,8 +63,15 @@ def _given_strain(design: Design) -> float | None:
     return design.strain if isinstance(design, ElastomerDesign) and isinstance(design.strain, float) else None
 
 
-def _together(study: Study, names: Sequence[str], designed: Mapping[str, Dampers]) -> Dampers:
-    """The dampers of several designs, each with its laws; in modes their layers count at the strain of their design."""
+def together(study: Study, names: Sequence[str], designed: Mapping[str, Dampers]) -> Dampers:
+    """Return the dampers of several designs, each with its laws.
+
+    In modes their layers count at the strain of their design.
+
+    Args:
+        names: of the designs.
+        designed: dampers by name of the design.
+    """
     first = designed[names[0]]
     if len(names) == 1:
         return first

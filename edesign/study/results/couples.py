@@ -36,10 +36,10 @@ def couple_advice(project: AnalysisFile, designs: Mapping[str, Design] = Mapping
     for i, run in enumerate(project.dampers.devices if project.dampers is not None else ()):
         kinds[f"dampers.devices[{i}]"] = {run.kind}
     for name, spec in designs.items():
-        of_items = (
-            {item.kind or spec.kind for item in spec.catalogue.values()} if isinstance(spec, PlacementDesign) else ()
-        )
-        kinds[f"design {name}"] = {*of_items} or {spec.kind}
+        if isinstance(spec, PlacementDesign):
+            kinds[f"design {name}"] = {item.kind or spec.kind for item in spec.catalogue.values()}
+        else:
+            kinds[f"design {name}"] = {run.kind for run in spec.runs}
     where = [place for place, several in kinds.items() if "storey" in several]
     return [f"{', '.join(where)}: {NO_COUPLE}"] if where else []
 

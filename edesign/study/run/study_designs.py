@@ -17,13 +17,14 @@ from edesign.project.dampers.verification import AnyVerify
 from edesign.project.study.study import Study
 from edesign.study.analysis.modal import mode_count
 from edesign.study.check.criteria_inputs import kept_for_verification, too_few_motions
+from edesign.study.design.beside import standing_of
 from edesign.study.design.design import DesignResult, run_design
 from edesign.study.design.verification import along_design
 from edesign.study.placement.placement import run_placement
 from edesign.study.plan.device_factors import factors_in_force
 from edesign.study.plan.plan import Task, labels
 from edesign.study.plan.study_plan import histories_of_a_round, verifying_histories, wanted_designs
-from edesign.study.plan.variants import variant_project
+from edesign.study.plan.variants import together, variant_project
 from edesign.study.results.kinds import DESIGNS
 from edesign.study.run.analyses import analyse
 from edesign.study.run.backends.call import Call
@@ -48,7 +49,7 @@ def study_designs(study: Study, run: RunState) -> Prepared:
     made: dict[str, DesignResult] = {}
     for order, name in enumerate(study.designs):
         if name in wanted and not run.stopped():
-            made[name] = _design(study, name, order, run)
+            made[name] = _design(study, name, order, run, made)
     designed = {name: result.dampers for name, result in made.items()}
     outputs = study.outputs
     plain = Outputs(histories=outputs.histories, every=outputs.every)
@@ -82,9 +83,15 @@ def study_designs(study: Study, run: RunState) -> Prepared:
     return prepared
 
 
-def _design(study: Study, name: str, order: int, run: RunState) -> DesignResult:
-    """Make a design, going on from what an interrupted run left of it; every round is archived when it is known."""
+def _design(study: Study, name: str, order: int, run: RunState, made: Mapping[str, DesignResult]) -> DesignResult:
+    """Make a design, going on from what an interrupted run left of it; every round is archived when it is known.
+
+    Args:
+        order: of the design in the file.
+        made: the designs above it.
+    """
     place, spec = f"{DESIGNS}/{name}", study.designs[name]
+    beside = study.beside(name)
     verify = spec.verify
     about = {"order": order, "name": name}
 
@@ -96,14 +103,22 @@ def _design(study: Study, name: str, order: int, run: RunState) -> DesignResult:
         return _respond(study, name, verify, wanted, run)
 
     def respond(dampers: Dampers, number: int) -> Mapping[str, Group]:
-        return next(respond_in_turn([(number, dampers)]))
+        standing = {other: made[other].dampers for other in beside}
+        return next(respond_in_turn([(number, together(study, (*beside, name), {**standing, name: dampers}))]))
 
     def verdicts(histories: Mapping[str, Group]) -> tuple[Verdict, ...]:
         assert verify is not None
-        # the histories of the verification are of this design alone, whatever variants a criterion names
+        # the histories of the verification are of no variant, whatever variants a criterion names
         asked = [c.model_copy(update={"variants": ()}) for c in study.criteria if c.name in verify.criteria]
         return judge([along_design(c, spec) for c in asked], (), histories, study.base)
 
+    for other in beside:
+        if made[other].status != "completed":
+            reason = f"`{other}`, beside which it is sized, failed: {made[other].reason} [E-DESIGN-05]"
+            run.note(f"design {name} failed: {reason}")
+            group = Group(attributes={"status": "failed", "reason": reason})
+            keep(group)
+            return DesignResult(made[other].dampers, group, "failed", reason)
     resume = run.writer.read(place) if run.writer.has(place) else None
     try:
         with one_thread():
@@ -131,6 +146,7 @@ def _design(study: Study, name: str, order: int, run: RunState) -> DesignResult:
                     lambda message: run.note(f"design {name}: {message}"),
                     keep,
                     factors_in_force(study, study.hazard),
+                    standing_of([made[other].standing for other in beside]),
                 )
     except _Lost as lost:
         raise lost.error from lost

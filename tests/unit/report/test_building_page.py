@@ -51,7 +51,9 @@ def results(ran: tuple[Path, ElasticDesign]) -> Iterator[BuildingResults]:
 def test_the_page_has_all_sections_and_figures(ran: tuple[Path, ElasticDesign]) -> None:
     page = page_text(ran[0])
     anchors = re.findall(r'<section id="([a-z-]+)"', page)
-    expected = "building model assumptions warnings structure action natural-modes storeys members steel checks capacity"
+    expected = (
+        "building model assumptions warnings structure action natural-modes storeys members steel checks capacity"
+    )
     assert anchors == [*expected.split(), "foundations", "others", "combinations", "provenance"]
     figures = re.findall(r'<figure class="picture" id="figure-([A-Za-z0-9_]+)"', page)
     assert figures[0].startswith("model_")

@@ -15,6 +15,7 @@ from edesign.damper.sizing import largest_damping
 from edesign.errors import InputError
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.designs import ElastomerDesign, SimplifiedDesign, StrainEnergyDesign
+from edesign.study.design.beside import NOTHING_BESIDE, Standing
 from edesign.study.design.bounds import Bound
 from edesign.study.design.building import law_at, per_storey
 from edesign.study.design.damping import ModalDamping
@@ -52,14 +53,20 @@ class ElastomerDesigner(Designer[ElastomerSizing]):
     model: ElastomerModel
 
     def __init__(
-        self, project: AnalysisFile, name: str, spec: ElastomerDesign, folder: Path, progress: Callable[[str], None]
+        self,
+        project: AnalysisFile,
+        name: str,
+        spec: ElastomerDesign,
+        folder: Path,
+        progress: Callable[[str], None],
+        beside: Standing = NOTHING_BESIDE,
     ) -> None:
         if law_at(project, spec.law, spec.temperature).layers is None:
             message = f"the law `{spec.law}` has no `prototype`: it has no layers to be sized [E-DESIGN-03]"
             raise InputError(f"designs.{name}.law: {message}")
         if spec.level is None and spec.verify is not None and spec.verify.levels:
             spec = spec.model_copy(update={"level": spec.verify.levels[0]})  # of what is estimated beside the sizing
-        super().__init__(project, name, spec, progress)
+        super().__init__(project, name, spec, progress, beside)
         self.spec = spec
         self.model = ElastomerModel(self.building, spec, self.action, partial(material, project, name, spec, folder))
         self._relaxed, self._relax = math.nan, Relaxation()

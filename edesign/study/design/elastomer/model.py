@@ -186,6 +186,10 @@ class ElastomerModel(DeviceModel[ElastomerDesign, Layers]):
     def _modal_damping(self, found: ElastomerSizing, braces: bool = True) -> ModalDamping:
         return modal_damping(self.building.frame, self.bare, self.of(found, braces))
 
+    def complex_stiffness(self, state: Layers) -> np.ndarray:
+        """Return the complex stiffness of dampers and braces at each place, (d,) N/m."""
+        return state.stiffness
+
     def storage(self, state: Layers) -> np.ndarray:
         """Return the stiffness of dampers and braces at each place with which the modes are found, (d,) N/m."""
         return state.stiffness.real

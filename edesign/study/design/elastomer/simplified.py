@@ -153,7 +153,7 @@ def static_response(
     frame = building.frame
     at = agreed(at_consistent_frequency(model, elastomer, lambda moduli: k_D, model.bare.first_frequency))
     frequency, added = at.last.next_frequency, at.last.damping
-    spectrum = action.spectrum.with_damping(min(action.inherent_damping + added, 1.0))
+    spectrum = action.spectrum.with_damping(min(action.inherent_damping + at.modes.first_beside_damping + added, 1.0))
     corner = spectrum.corners["T_C"]
     across = frame.influence > 0.0
     mass = np.where(across, frame.mass, 0.0)

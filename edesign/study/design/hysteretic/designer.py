@@ -9,12 +9,13 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.damper.hysteresis import hysteresis
-from edesign.errors import InputError
+from edesign.errors import AnalysisError, InputError
 from edesign.project.analysis_file import AnalysisFile
-from edesign.project.dampers.dampers import restrained_misfits
+from edesign.project.dampers.dampers import SET_IN, restrained_misfits
 from edesign.project.dampers.designs import DESIGNED_BRACES, HystereticDesign
+from edesign.study.design.beside import NOTHING_BESIDE, Standing
 from edesign.study.design.bounds import Bound
-from edesign.study.design.building import law_at, per_storey, read_law
+from edesign.study.design.building import law_at, make_building, per_storey, read_law
 from edesign.study.design.condensed import LinearModes
 from edesign.study.design.designer import REACHABLE, Designer
 from edesign.study.design.estimate import Action, FrameEstimate
@@ -29,7 +30,10 @@ from edesign.study.design.hysteretic.sizing import (
 from edesign.study.design.hysteretic.vibration import secant_vibration
 from edesign.study.design.loop import Search
 from edesign.study.design.optimum import optimum_warnings
+from edesign.study.design.relaxation import AGREEMENT
 from edesign.study.design.results import of_storeys
+
+_MOST_TURNS = 50  # of braces and the frame that stands by them; given shears take two
 
 
 class HystereticDesigner(Designer[HystereticSizing]):
@@ -47,14 +51,27 @@ class HystereticDesigner(Designer[HystereticSizing]):
     model: HystereticModel
 
     def __init__(
-        self, project: AnalysisFile, name: str, spec: HystereticDesign, progress: Callable[[str], None]
+        self,
+        project: AnalysisFile,
+        name: str,
+        spec: HystereticDesign,
+        progress: Callable[[str], None],
+        beside: Standing = NOTHING_BESIDE,
     ) -> None:
-        if law_at(project, spec.law, None).restrained is not None:  # the law of a file, too
-            for key, message in restrained_misfits(spec.kind, spec.brace, DESIGNED_BRACES).items():
+        restrained = law_at(project, spec.law, None).restrained is not None  # the law of a file, too
+        for run in spec.runs if restrained else ():
+            for key, message in restrained_misfits(run.kind, spec.brace, DESIGNED_BRACES).items():
                 raise InputError(f"designs.{name}.{key}: {message}")
-        super().__init__(project, name, spec, progress)
+        if spec.carries_gravity and not restrained:
+            raise InputError(f"designs.{name}.carries_gravity: {SET_IN.format(spec.law)}")
+        super().__init__(project, name, spec, progress, beside)
         self.spec = spec
-        self.model = HystereticModel(self.building, spec, read_law(self.building, name, spec, hysteresis), self.action)
+        self._carried: tuple[float, ...] | None = None
+        self.model = self._model()
+
+    def _model(self) -> HystereticModel:
+        loop = read_law(self.building, self.name, self.spec, hysteresis)
+        return HystereticModel(self.building, self.spec, loop, self.action)
 
     @property
     def target(self) -> float:
@@ -73,8 +90,35 @@ class HystereticDesigner(Designer[HystereticSizing]):
         return max(REACHABLE * largest_hysteretic_damping(self.model), target)
 
     def sized(self, target: float, factor: float) -> HystereticSizing:
-        """Size the dampers for a target, with a factor on their yield forces."""
-        return size_hysteretic(self.model, target, factor)
+        """Size the dampers for a target, with a factor on their yield forces.
+
+        Braces that carry gravity loads are part of the frame that they are sized in, so both are found in turns.
+
+        Raises:
+            AnalysisError: the braces that were found and those that stand in the frame do not agree.
+        """
+        found = size_hysteretic(self.model, target, factor)
+        if not self.spec.carries_gravity:
+            return found
+        for _ in range(_MOST_TURNS):
+            before = found.size
+            self.take(found)
+            found = size_hysteretic(self.model, target, factor)
+            if float(np.max(np.abs(found.size - before) / before)) <= AGREEMENT:
+                return found
+        raise AnalysisError(
+            f"braces and the gravity loads that they carry did not agree to {AGREEMENT:g} within {_MOST_TURNS} turns"
+            " [E-DESIGN-02]"
+        )
+
+    def take(self, sizing: HystereticSizing) -> None:
+        """Let the frame stand by the braces of a sizing, where they carry gravity loads."""
+        scale = self.device(sizing)["scale"]
+        if not self.spec.carries_gravity or scale == self._carried:
+            return
+        self._carried = scale
+        self.building = make_building(self.project, self.name, self.spec, self.building.beside, {"scale": scale})
+        self.model = self._model()
 
     def device(self, sizing: HystereticSizing) -> dict[str, Any]:
         """Return the keys of a device of the project file that say how large the dampers of a sizing are."""

@@ -158,6 +158,10 @@ class HystereticModel(DeviceModel[HystereticDesign, SecantVibration]):
         horizontal = np.bincount(storeys, deformation / self.building.cosine) / np.bincount(storeys)
         return np.asarray(horizontal / self.building.heights[self.building.storeys - 1])
 
+    def complex_stiffness(self, state: SecantVibration) -> np.ndarray:
+        """Return secant stiffness and loss of the loops at the amplitude of the design, with braces, (d,) N/m."""
+        return state.stiffness + 1.0j * state.secants.energy / (np.pi * state.deformation**2)
+
     def storage(self, state: SecantVibration) -> np.ndarray:
         """Return the secant stiffness of dampers and braces in the first mode, for all modes, (d,) N/m."""
         return state.stiffness
@@ -171,8 +175,7 @@ class HystereticModel(DeviceModel[HystereticDesign, SecantVibration]):
 
     def losses(self, state: SecantVibration, modes: LinearModes) -> np.ndarray:
         """Return the damping ratio of each mode by the loops at the amplitude of the design, (n,)."""
-        lost = state.secants.energy / (np.pi * state.deformation**2)
-        return strain_energy_damping(modes, state.stiffness + 1.0j * lost)
+        return strain_energy_damping(modes, self.complex_stiffness(state))
 
     def demands(
         self, state: SecantVibration, modes: LinearModes, peaks: SpectralPeaks
@@ -213,7 +216,7 @@ class HystereticModel(DeviceModel[HystereticDesign, SecantVibration]):
             found = peaks.combined(mode_shears(frame, bare))
         else:
             if self.action is not None:
-                omega, ratio = bare.first_omega, self.action.inherent_damping
+                omega, ratio = bare.first_omega, self.action.inherent_damping + bare.first_beside_damping
                 generalised = bare.lead.participation * self.action.displacement(omega, ratio)
             else:
                 generalised = self.roof(bare, 0.0, None) / float(bare.lead.floors[-1])

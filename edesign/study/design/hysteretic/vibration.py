@@ -124,12 +124,12 @@ def _static(model: HystereticModel, scale: np.ndarray, roof: float, loads: np.nd
     """
     frame = model.building.frame
     by_loads, by_force = frame.B @ loads / float(frame.floor_A[-1] @ loads), frame.floor_B[-1]
-    flexibility = frame.C - np.outer(by_loads, by_force)
+    flexibility, standing = frame.C - np.outer(by_loads, by_force), frame.standing
 
     def residual(u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         secants = model.secants(scale, np.abs(u))
-        force = np.sign(u) * secants.force
-        return u - by_loads * roof + flexibility @ force, secants.tangent
+        force = np.sign(u) * secants.force - standing * u
+        return u - by_loads * roof + flexibility @ force, secants.tangent - standing
 
     u = start
     r, tangent = residual(u)

@@ -14,6 +14,7 @@ from edesign.damper.harmonic import complex_stiffness
 from edesign.errors import InputError
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.designs import ViscousDesign
+from edesign.study.design.beside import NOTHING_BESIDE, Standing
 from edesign.study.design.bounds import Bound
 from edesign.study.design.building import per_storey, read_law
 from edesign.study.design.designer import REACHABLE, Designer
@@ -47,8 +48,15 @@ class ViscousDesigner(Designer[ViscousSizing]):
     results = VISCOUS
     model: ViscousModel
 
-    def __init__(self, project: AnalysisFile, name: str, spec: ViscousDesign, progress: Callable[[str], None]) -> None:
-        super().__init__(project, name, spec, progress)
+    def __init__(
+        self,
+        project: AnalysisFile,
+        name: str,
+        spec: ViscousDesign,
+        progress: Callable[[str], None],
+        beside: Standing = NOTHING_BESIDE,
+    ) -> None:
+        super().__init__(project, name, spec, progress, beside)
         self.spec = spec
         found = read_law(self.building, name, spec, dashpot)
         if found.alpha < 1.0 and spec.amplitude is None and self.action is None:

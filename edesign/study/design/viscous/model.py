@@ -117,7 +117,7 @@ class ViscousModel(DeviceModel[ViscousDesign, Dashpots]):
         """
         assert modes.first is not None
         share = self.bare.lead.participation * float(self.bare.lead.floors[-1])
-        added = modes.first_damping if damping is None else damping
+        added = (modes.first_damping if damping is None else damping) + self.bare.first_beside_damping
         return self.roof_amplitude(modes.first.roof, modes.first.storeys, share, modes.first_omega, added, action)
 
     def modes(self, linear: np.ndarray, coefficient: np.ndarray) -> DashpotModes:
@@ -229,6 +229,10 @@ class ViscousModel(DeviceModel[ViscousDesign, Dashpots]):
             rigid = Dashpots(coefficient, linear, np.zeros(shape.size), bare.first_omega)
             return lead.mean(self.added_damping(rigid, bare).__getitem__)
         return added_damping(self.at_places(coefficient), alpha, shape, amplitude, period, 1.0 / at_roof**2)
+
+    def complex_stiffness(self, state: Dashpots) -> np.ndarray:
+        """Return the complex stiffness of dashpots with springs and braces at the first frequency, (d,) N/m."""
+        return state.stiffness(state.omega)
 
     def storage(self, state: Dashpots) -> np.ndarray:
         """Return the stiffness that dashpots and springs store at the first frequency, (d,) N/m."""
