@@ -38,6 +38,12 @@ def check_hysteretic_design(keys: Keys, spec: HystereticDesign, project: Analysi
                 "`storey_shear` or `uniform` [E-DESIGN-06]"
             )
             problems.at_value((*keys, "distribution"), message)
+        if spec.damping is not None:
+            message = (
+                "a frame that stands by its braces is damped the more the smaller they are, so that no least braces "
+                "reach a damping; give `shear_share`, and meet criteria by `verify` [E-DESIGN-06]"
+            )
+            problems.at_key((*keys, "damping"), message)
     targets = listed(HYSTERETIC_TARGETS)
     given = [key for key in HYSTERETIC_TARGETS if getattr(spec, key) is not None]
     if not given:

@@ -17,7 +17,7 @@ from edesign.report.design.braces_table import braces_table
 from edesign.report.design.device_order import OrderFactors, devices_table
 from edesign.report.design.hysteretic_tables import hysteretic_damping_table, hysteretic_storeys_table
 from edesign.report.design.placement_tables import placement_tables
-from edesign.report.design.storeys import STOREY, heading
+from edesign.report.design.storeys import STOREY, first_mode, heading
 from edesign.report.design.viscous_tables import kilonewtons, viscous_damping_table, viscous_storeys_table
 from edesign.report.tables.cell import Quantity, Value, yes_or_no
 from edesign.report.tables.column import Column, col, count, literal, text, verdict
@@ -216,9 +216,22 @@ def _prototypes(about: Mapping[str, Any]) -> str:
 
 
 def _warnings(group: Group) -> Table:
-    """Return why a design failed, and the warnings about it; no columns."""
+    """Return why a design failed, what stands beside it, and the warnings about it; no columns."""
     reason = group.attributes.get("reason")
-    return _lines([*([f"failed: {reason}"] if reason else []), *_warning_lines(group)])
+    return _lines([*([f"failed: {reason}"] if reason else []), *_beside(group), *_warning_lines(group)])
+
+
+def _beside(group: Group) -> list[str]:
+    """The designs beside which a design was sized, and what they do there."""
+    about = group.attributes
+    if "beside_damping" not in about:
+        return []
+    names, damping = about["beside"], 100.0 * float(str(about["beside_damping"]))
+    assert isinstance(names, list)
+    return [
+        f"beside {', '.join(map(str, names))}: stiffness of storeys and T bare with these dampers; they add "
+        f"{damping:.4g} % to the {first_mode(group)} with all, beside the damping above"
+    ]
 
 
 def _lines(notes: list[str]) -> Table:

@@ -122,10 +122,10 @@ def checked_structure(project: AnalysisFile) -> Structure:
         if isinstance(project, Building):
             where = place_and_motion(project, str(error))
         if restrained and not any(run.carries_gravity for run in runs):
-            told = "braces that it stands by need `carries_gravity: true`"
+            need = "`carries_gravity: true`"
             if not runs:
-                told += " and a place in `dampers.devices`, of any first size where a design finds theirs"
-            raise InputError(f"{where}: {told}: {error}") from error
+                need += " and a place in `dampers.devices`, of any first size where a design finds theirs"
+            raise InputError(f"{where}: braces that it stands by need {need}: {error}") from error
         raise InputError(f"{where}: {error}") from error
 
 

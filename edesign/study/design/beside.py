@@ -33,7 +33,6 @@ def standing(dampers: Dampers, names: Sequence[str], stiffness: np.ndarray) -> S
     """Return the dampers of a design as others see them.
 
     Args:
-        dampers: of the design.
         names: of its places, (d,).
         stiffness: complex, of the dampers there, (d,) N/m.
     """

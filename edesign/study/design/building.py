@@ -124,7 +124,6 @@ def make_building(
 
     Args:
         project: with the law; checked by `check_design`.
-        beside: dampers of other designs that stand in the frame.
         size: keys of a device that say how large dampers are which carry gravity loads, and stand in the frame so.
 
     Returns:

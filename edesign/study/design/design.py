@@ -65,7 +65,6 @@ def run_design(
         progress: called with what goes on.
         keep: given the group after each verified round, for `resume`.
         factors: of the code, on stroke and velocity of the dampers, and on what holds them.
-        beside: dampers of other designs that stand in the frame.
 
     Returns:
         The dampers, the archived group and the status; a design that fails for numerical reasons has no dampers.
@@ -107,7 +106,6 @@ def check_sizing(
         project: the project with the law, as for `run_design`.
         folder: the folder that files named in the design are relative to.
         factors: of the code, on dampers and on what holds them.
-        beside: dampers of other designs that stand in the frame.
 
     Returns:
         The dampers as designs beside this one see them; None: the sizing does not converge.
@@ -138,7 +136,6 @@ def first_warnings(
         project: the project with the law, which has passed `check_sizing`.
         folder: the folder that files named in the design are relative to.
         factors: of the code, on dampers and on what holds them.
-        beside: dampers of other designs that stand in the frame.
 
     Returns:
         One sentence for each warning.

@@ -120,6 +120,13 @@ class DeviceModel(ABC, Generic[D, V]):
         return np.asarray(self.brace / self.building.designed_stiffness)
 
     @property
+    def without(self) -> str:
+        """What archived values of the bare frame are of."""
+        if self.building.frame.reference is not None:
+            return "with braces that do not yield"
+        return "without dampers" if self.building.frame.beside is None else "with the dampers beside alone"
+
+    @property
     def braces(self) -> np.ndarray | None:
         """Stiffness of the braces of each place along them, (d,) N/m; None: rigid."""
         if self._held is not None:

@@ -79,7 +79,7 @@ _ROUNDS: tuple[Column, ...] = (
 _DRIFT = "storey drift over height estimated by the response spectrum"
 _ESTIMATE: tuple[Column, ...] = (
     ("storey_drift", FRAME, lambda m, r: r[0].drift, "1", f"{_DRIFT}, with dampers"),
-    ("bare_storey_drift", FRAME, lambda m, r: r[1].drift, "1", f"{_DRIFT}, without dampers"),
+    ("bare_storey_drift", FRAME, lambda m, r: r[1].drift, "1", lambda m: f"{_DRIFT}, {m.without}"),
     ("column_shear", FRAME, lambda m, r: r[0].storey_shear, "N", _COLUMN_SHEAR),
     ("damper_force", PLACE, lambda m, r: r[0].damper_force, "N", "estimated force of the dampers of a place"),
 )
@@ -142,7 +142,7 @@ def store_sizing(group: Group, model: Model, results: Results, sizing: Any, mode
     count = min(TOLD, bare.omega.size, *(values.shape[-1] for values in found))
     named = "number of the mode" if building.frame.plan is None else "modes with most mass along the direction"
     coordinate(group, "mode", np.arange(1, count + 1), "1", named)
-    group.add("bare_period", MODE, 2.0 * np.pi / bare.omega[bare.told][:count], "s", "natural period without dampers")
+    group.add("bare_period", MODE, 2.0 * np.pi / bare.omega[bare.told][:count], "s", f"natural period {model.without}")
     if results.assemblies[0]:
         coordinate(group, "assembly", list(results.assemblies[0]), "", results.assemblies[1])
     for (name, dims, _, unit, label), values in zip(results.modes, found, strict=True):
@@ -166,7 +166,7 @@ def store_plan_modes(group: Group, model: Model, state: Any) -> None:
     bare = model.bare.omega[alike(modes.masses * root, model.bare.masses * root)]
     coordinate(group, "plan_mode", np.arange(1, last + 1), "1", "number of the mode of the building with dampers")
     group.add("plan_period", ("plan_mode",), 2.0 * np.pi / modes.omega[:last], "s", "natural period with dampers")
-    label = "natural period without dampers of the mode that is most like it"
+    label = f"natural period {model.without} of the mode that is most like it"
     group.add("plan_bare_period", ("plan_mode",), 2.0 * np.pi / bare[:last], "s", label)
     for name, ratio in zip(("x", "y", "turn"), ratios.T, strict=True):
         where = "in turns about the vertical" if name == "turn" else f"along {name}"

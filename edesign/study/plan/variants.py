@@ -67,10 +67,6 @@ def together(study: Study, names: Sequence[str], designed: Mapping[str, Dampers]
     """Return the dampers of several designs, each with its laws.
 
     In modes their layers count at the strain of their design.
-
-    Args:
-        names: of the designs.
-        designed: dampers by name of the design.
     """
     first = designed[names[0]]
     if len(names) == 1:

@@ -87,7 +87,6 @@ def _design(study: Study, name: str, order: int, run: RunState, made: Mapping[st
     """Make a design, going on from what an interrupted run left of it; every round is archived when it is known.
 
     Args:
-        order: of the design in the file.
         made: the designs above it.
     """
     place, spec = f"{DESIGNS}/{name}", study.designs[name]

@@ -30,8 +30,8 @@ _PERIOD = "first period with the secants of dampers and braces"
 _DEVICE = "yield or slip force of one damper"
 _CURVE_POINTS, _CURVE_START = 25, 0.01  # shares of the storey shears, in geometric steps up to the largest
 _SHEARS = {
-    "spectrum": "elastic shear of the storey without dampers, CQC of the response spectrum",
-    "first_mode": "elastic shear of the storey without dampers, first mode",
+    "spectrum": "elastic shear of the storey {}, CQC of the response spectrum",
+    "first_mode": "elastic shear of the storey {}, first mode",
     "given": "shear of the storey, given",
 }
 _TENSION = "adjusted strength in tension, omega R_y F_ysc A_sc"
@@ -78,7 +78,7 @@ _DEVICE_CORE_STRAIN = "strain of the steel core at that stroke"
 
 HYSTERETIC = Results(
     storeys=(
-        ("storey_shear", STOREY, lambda m, s: m.shears, "N", lambda m: _SHEARS[m.shear_of]),
+        ("storey_shear", STOREY, lambda m, s: m.shears, "N", lambda m: _SHEARS[m.shear_of].format(m.without)),
         ("yield_force", STOREY, lambda m, s: s.size, "N", "yield force of all dampers of the storey along its drift"),
         ("shear_share", STOREY, lambda m, s: s.size / m.shears, "1", _SHEAR_SHARE),
         ("device_yield_force", STOREY, lambda m, s: m.of_device(s.size), "N", _DEVICE),
