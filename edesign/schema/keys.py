@@ -154,7 +154,8 @@ class _Page:
             if "prefixItems" in entry:
                 return f"[{', '.join(self._type(one) for one in entry['prefixItems'])}]"
             least = f", at least {entry['minItems']}" if entry.get("minItems", 0) > 1 else ""
-            return f"list of: {self._type(entry.get('items', {}))}{least}"
+            items = self._type(entry.get("items", {}))
+            return f"list of: {f'({items})' if ' or ' in items else items}{least}"
         if kind == "object":
             values = [*entry.get("patternProperties", {}).values()]
             more = entry.get("additionalProperties")

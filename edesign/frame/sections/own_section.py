@@ -166,16 +166,18 @@ def _stack(name: str, own: RectangleSection) -> SteelSection:
 
 
 def _shear_area(parts: Sequence[tuple[float, float, float]]) -> float:
-    """Return the shear area along a coordinate, I2 / integral of S2/b: of one rectangle 5/6 of its area.
+    """Return the shear area along a coordinate, I2 / integral of S2/b: of one rectangle 5/6 of its area; 0 of gaps.
 
     Args:
-        parts: lower and upper coordinate of rectangles without gaps, and their breadth across it, m.
+        parts: lower and upper coordinate of rectangles, and their breadth across it, m.
     """
     edges = _apart(edge for low, high, _ in parts for edge in (low, high))
     layers = [
         (low, high, math.fsum(of for start, end, of in parts if start < 0.5 * (low + high) < end))
         for low, high in zip(edges, edges[1:], strict=False)
     ]
+    if not all(of for _, _, of in layers):
+        return 0.0  # nothing carries shear across a gap
     area = math.fsum((high - low) * of for low, high, of in layers)
     centre = math.fsum(0.5 * (high**2 - low**2) * of for low, high, of in layers) / area
     inertia = math.fsum(((high - centre) ** 3 - (low - centre) ** 3) / 3.0 * of for low, high, of in layers)

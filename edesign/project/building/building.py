@@ -36,6 +36,7 @@ from edesign.project.frame.foundations import Footing, FootingSupport, Soil
 from edesign.project.frame.materials import Material
 from edesign.project.frame.sections import SpaceFibres, SpaceSection
 from edesign.project.notation.grid import Grid
+from edesign.project.notation.repeated import Repeated
 from edesign.project.notation.selections import ALL_NUMBERS, Numbers, NumbersOrNone
 from edesign.project.notation.units import PositiveLength
 from edesign.project.reading.base import FormatVersion, Model
@@ -54,7 +55,7 @@ class EqualBays(spacing.EqualBays):
     count: Annotated[int, Field(ge=1, le=MOST_BAYS)]
 
 
-Widths = Annotated[tuple[PositiveLength, ...], Field(min_length=1, max_length=MOST_BAYS)]
+Widths = Annotated[tuple[PositiveLength, ...], Repeated(EqualBays, most=MOST_BAYS)]
 BayWidths = Annotated[Widths | EqualBays, OneOf()]
 
 
@@ -64,15 +65,15 @@ class EqualStoreys(spacing.EqualStoreys):
     count: Annotated[int, Field(ge=1, le=MOST_STOREYS)]
 
 
-Heights = Annotated[tuple[PositiveLength, ...], Field(min_length=1, max_length=MOST_STOREYS)]
+Heights = Annotated[tuple[PositiveLength, ...], Repeated(EqualStoreys, most=MOST_STOREYS)]
 
 
 class Plan(Model):
     """The grid in plan.
 
     Attributes:
-        x: widths of the bays along x, as a list, or `{count, width}` for equal ones.
-        y: widths of the bays along y, as a list, or `{count, width}` for equal ones.
+        x: widths of the bays along x, as a list, or `{count, width}` for equal ones, which may stand in it.
+        y: widths of the bays along y, as a list, or `{count, width}` for equal ones, which may stand in it.
     """
 
     x: BayWidths
@@ -123,7 +124,8 @@ class Building(spacing.Storeys, AnalysisFile):
         title: one line for tables and reports.
         document: what the cover of a report says beside the title.
         plan: the grid in plan.
-        storeys: heights of the storeys from the bottom, as a list, or `{count, height}` for equal ones.
+        storeys: heights of the storeys from the bottom, as a list, or `{count, height}` for equal ones, which
+            may also stand in the list.
         setbacks: floors that cover some bays of the plan only; a later one overrides an earlier one.
         supports: support of all columns, or a mapping by column line; lines that it does not name take its `default`,
             else `fixed`.

@@ -10,6 +10,7 @@ from pydantic import Field
 from edesign.project.dampers.isolation import AnyBaseDevice, Isolation
 from edesign.project.frame.sections import SectionChoice
 from edesign.project.notation.frames import Direction, Frames
+from edesign.project.notation.repeated import EqualStiffnesses, Repeated, equal_values
 from edesign.project.notation.selections import Numbers
 from edesign.project.notation.temperature import Temperature
 from edesign.project.notation.units import (
@@ -100,6 +101,10 @@ class DamperLaw(LawDescription):
     property_factor: PositiveFactor = 1.0
 
 
+Stiffnesses = Annotated[tuple[PositiveStiffness, ...], Repeated(EqualStiffnesses, 0)]
+"""Of storeys from the lowest."""
+
+
 class BraceStiffness(Model):
     """Stiffness in series with a damper, along its deformation.
 
@@ -108,7 +113,7 @@ class BraceStiffness(Model):
         play: clearance of the pins from end to end, within which the brace carries nothing.
     """
 
-    stiffness: Annotated[PositiveStiffness | tuple[PositiveStiffness, ...], OneOf()]
+    stiffness: Annotated[PositiveStiffness | Stiffnesses, OneOf()]
     play: PositiveLength | None = None
 
 
@@ -190,9 +195,12 @@ class ChosenBrace(AnyChosenBrace):
     stiffness: Annotated[PositiveStiffness | tuple[PositiveStiffness, ...], OneOf()] | None = None
 
 
-Areas = Annotated[PositiveArea | tuple[PositiveArea, ...], OneOf()]
-Lengths = Annotated[PositiveLength | tuple[PositiveLength, ...], OneOf()]
-Scales = Annotated[PositiveFactor | tuple[PositiveFactor, ...], OneOf()]
+_Areas = Annotated[tuple[PositiveArea, ...], Repeated(equal_values("EqualAreas", PositiveArea), 0)]
+Areas = Annotated[PositiveArea | _Areas, OneOf()]
+_Lengths = Annotated[tuple[PositiveLength, ...], Repeated(equal_values("EqualLengths", PositiveLength), 0)]
+Lengths = Annotated[PositiveLength | _Lengths, OneOf()]
+_Scales = Annotated[tuple[PositiveFactor, ...], Repeated(equal_values("EqualScales", PositiveFactor), 0)]
+Scales = Annotated[PositiveFactor | _Scales, OneOf()]
 
 
 Brace = Annotated[

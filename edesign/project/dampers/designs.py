@@ -8,10 +8,11 @@ from typing import Annotated, Any, Literal, NamedTuple
 from pydantic import Field
 
 from edesign.project.analysis.damping import State
-from edesign.project.dampers.dampers import AnyChosenBrace, BraceSection
+from edesign.project.dampers.dampers import AnyChosenBrace, BraceSection, Stiffnesses
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.dampers.verification import HystereticVerify, Verify, ViscousVerify
 from edesign.project.notation.frames import Direction, Frames, FrameSelection
+from edesign.project.notation.repeated import Repeated, equal_values
 from edesign.project.notation.selections import ALL_NUMBERS, Numbers, NumberSelection
 from edesign.project.notation.several import Names
 from edesign.project.notation.temperature import Temperature
@@ -22,7 +23,6 @@ from edesign.project.notation.units import (
     PositiveFrequency,
     PositiveLength,
     PositiveRatio,
-    PositiveStiffness,
     PositiveStress,
     UnitRatio,
     parse_ratio,
@@ -209,7 +209,7 @@ class _Design(Model):
     number: Count = 1
     temperature: Temperature | None = None
     drift: PositiveRatio | None = None
-    storey_stiffness: Annotated[Literal["computed"] | tuple[PositiveStiffness, ...], OneOf()] = "computed"
+    storey_stiffness: Annotated[Literal["computed"] | Stiffnesses, OneOf()] = "computed"
     state: State = "gravity"
     level: str | None = None
     inherent_damping: UnitRatio | None = None
@@ -373,6 +373,10 @@ class Optimum(Model):
     least: Literal["worst", "mean"] = "worst"
 
 
+Forces = Annotated[tuple[PositiveForce, ...], Repeated(equal_values("EqualForces", PositiveForce), 0)]
+"""Of storeys from the lowest."""
+
+
 class HystereticDesign(_Design):
     """Dampers that yield or slip: for a share of the storey shears, for a damping, or for the least response.
 
@@ -395,7 +399,7 @@ class HystereticDesign(_Design):
     shear_share: PositiveRatio | None = None
     damping: PositiveRatio | None = None
     optimum: Optimum | None = None
-    shear: Annotated[Literal["spectrum", "first_mode"] | tuple[PositiveForce, ...], OneOf()] | None = None
+    shear: Annotated[Literal["spectrum", "first_mode"] | Forces, OneOf()] | None = None
     amplitude: Amplitude = "spectrum"
     equivalent_damping: Literal["amplitude", "average"] = "amplitude"
     brace: Brace = "rigid"

@@ -14,7 +14,7 @@ from pydantic import PrivateAttr
 from edesign.project.frame.foundations import Footing, FootingSupport
 from edesign.project.frame.leaning_column import LeaningColumn
 from edesign.project.frame.members import BeamPlaces, BeamRun, BraceRun, ColumnPlaces, ColumnRun, Missing, Release
-from edesign.project.frame.spacing import EqualBays, EqualStoreys, Lengths, Storeys, widths
+from edesign.project.frame.spacing import EqualBays, EqualStoreys, Heights, Storeys, Widths, widths
 from edesign.project.frame.supports import Support, SupportKind, SupportSprings
 from edesign.project.notation import names
 from edesign.project.notation.grid import BayPlace, InBays
@@ -47,8 +47,10 @@ class Frame(Storeys, Model):
     base. Lengths are in m.
 
     Attributes:
-        bays: widths of the bays from the left, as a list, or `{count, width}` for equal ones.
-        storeys: heights of the storeys from the bottom, as a list, or `{count, height}` for equal ones.
+        bays: widths of the bays from the left, as a list, or `{count, width}` for equal ones, which
+            may also stand in a list.
+        storeys: heights of the storeys from the bottom, as a list, or `{count, height}` for equal ones,
+            which may also stand in a list.
         supports: support of all columns, or a mapping by line; lines that it does not name take its `default`, else
             `fixed`.
         diaphragms: floors whose nodes share their horizontal displacement.
@@ -60,8 +62,8 @@ class Frame(Storeys, Model):
         leaning_column: gravity loads beside the frame that it must hold upright.
     """
 
-    bays: Annotated[Lengths | EqualBays, OneOf()]
-    storeys: Annotated[Lengths | EqualStoreys, OneOf()]
+    bays: Annotated[Widths | EqualBays, OneOf()]
+    storeys: Annotated[Heights | EqualStoreys, OneOf()]
     supports: Annotated[SupportKind | dict[str, Support], OneOf()] = "fixed"
     diaphragms: NumbersOrNone = NO_NUMBERS
     columns: tuple[ColumnRun, ...]

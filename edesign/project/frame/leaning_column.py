@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from pydantic import Field
-
+from edesign.project.notation.repeated import Repeated, equal_values
 from edesign.project.notation.units import Mass, NotNegativeForce
 from edesign.project.reading.base import Model
 from edesign.project.reading.one_of import OneOf
 
-FloorForces = Annotated[NotNegativeForce | Annotated[tuple[NotNegativeForce, ...], Field(min_length=1)], OneOf()]
-FloorMasses = Annotated[Mass | Annotated[tuple[Mass, ...], Field(min_length=1)], OneOf()]
+_Forces = Annotated[tuple[NotNegativeForce, ...], Repeated(equal_values("EqualFloorForces", NotNegativeForce))]
+FloorForces = Annotated[NotNegativeForce | _Forces, OneOf()]
+_Masses = Annotated[tuple[Mass, ...], Repeated(equal_values("EqualFloorMasses", Mass))]
+FloorMasses = Annotated[Mass | _Masses, OneOf()]
 
 
 class LeaningColumn(Model):

@@ -6,13 +6,9 @@ from functools import cached_property
 from itertools import accumulate
 from typing import TYPE_CHECKING, Annotated
 
-from pydantic import Field
-
+from edesign.project.notation.repeated import Count, Repeated
 from edesign.project.notation.units import PositiveLength
 from edesign.project.reading.base import Model
-
-Count = Annotated[int, Field(ge=1, le=1000)]
-Lengths = Annotated[tuple[PositiveLength, ...], Field(min_length=1)]
 
 
 class EqualBays(Model):
@@ -37,6 +33,10 @@ class EqualStoreys(Model):
 
     count: Count
     height: PositiveLength
+
+
+Widths = Annotated[tuple[PositiveLength, ...], Repeated(EqualBays)]
+Heights = Annotated[tuple[PositiveLength, ...], Repeated(EqualStoreys)]
 
 
 def widths(bays: tuple[float, ...] | EqualBays) -> tuple[float, ...]:

@@ -241,7 +241,7 @@ def _step(annotation: Any, part: str | int) -> Any:
             field = bare.model_fields[named]
             return with_tags(field.annotation, field.metadata)
         elif get_origin(bare) is tuple and isinstance(part, int):
-            return get_args(bare)[0]
+            return get_args(with_tags(bare, getattr(kind, "__metadata__", ())))[0]
         elif get_origin(bare) is dict:
             return get_args(bare)[1]
     return None

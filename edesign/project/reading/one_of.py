@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Collection, Iterable, Mapping
 from functools import reduce
 from operator import or_
@@ -14,7 +15,15 @@ TAG = "?"
 MAPPING, LIST, PLAIN = f"{TAG}mapping", f"{TAG}list", f"{TAG}plain"
 
 
-class OneOf:
+class Alternatives(ABC):
+    """Metadata of a type that says of what forms its values, or its items, are in the file."""
+
+    @abstractmethod
+    def tagged(self, annotation: Any) -> Any:
+        """Return the annotation of what stands in the file, whose alternatives have their tags."""
+
+
+class OneOf(Alternatives):
     """Which alternative of a union a value is: `Annotated[A | B, OneOf("kind")]`.
 
     Mappings, lists and other values are distinguished by themselves. Of several models a mapping is the one of the
@@ -28,9 +37,9 @@ class OneOf:
         tags = [tag for kind in get_args(union) for tag in self._tags(kind)]
         return handler(Annotated[self.tagged(union), Discriminator(lambda value: self._choose(value, tags))])
 
-    def tagged(self, union: Any) -> Any:
+    def tagged(self, annotation: Any) -> Any:
         """Return the union of the alternatives with their tags."""
-        return reduce(or_, (Annotated[kind, Tag(tag)] for kind in get_args(union) for tag in self._tags(kind)))
+        return reduce(or_, (Annotated[kind, Tag(tag)] for kind in get_args(annotation) for tag in self._tags(kind)))
 
     def _tags(self, kind: Any) -> list[str]:
         bare = get_args(kind)[0] if get_origin(kind) is Annotated else kind
@@ -56,4 +65,4 @@ class OneOf:
 
 def with_tags(annotation: Any, metadata: Iterable[Any]) -> Any:
     """Return an annotation whose alternatives have their tags, if its metadata distinguish them."""
-    return next((one.tagged(annotation) for one in metadata if isinstance(one, OneOf)), annotation)
+    return next((one.tagged(annotation) for one in metadata if isinstance(one, Alternatives)), annotation)

@@ -7,6 +7,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from edesign.project.analysis.damping import ModeNumber, NoDamping
+from edesign.project.notation.repeated import EqualStiffnesses, Repeated, equal_values
 from edesign.project.notation.several import Names
 from edesign.project.notation.units import PositiveMass, PositiveRatio, PositiveStiffness
 from edesign.project.reading.base import Model
@@ -74,8 +75,8 @@ class ShearBuilding(Model):
         storey: storey in which the specimen stands.
     """
 
-    masses: Annotated[tuple[PositiveMass, ...], Field(min_length=1, max_length=200)]
-    stiffnesses: Annotated[tuple[PositiveStiffness, ...], Field(min_length=1, max_length=200)]
+    masses: Annotated[tuple[PositiveMass, ...], Repeated(equal_values("EqualMasses", PositiveMass), most=200)]
+    stiffnesses: Annotated[tuple[PositiveStiffness, ...], Repeated(EqualStiffnesses, most=200)]
     damping: ShearDamping = NoDamping(kind="none")
     storey: Annotated[int, Field(ge=1)] = 1
 
