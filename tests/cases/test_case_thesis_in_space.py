@@ -115,4 +115,4 @@ def test_the_plane_study_has_all_of_the_mass_of_an_interior_frame_and_two_thirds
     building = load_building(thesis_in_space.BUILDING)
     row = yaml.safe_load(project_text(frame_row(building, space_frame(building), "X2")))
     nodes = {str(one["lines"]): one for one in row["loads"]["nodes"] if one["floors"] in (1, "1-3")}
-    assert float(nodes["B-D"]["Q"].split()[0]) == pytest.approx(of_area["Q"] * area / 3.0)
+    assert float(nodes["B2-D2"]["Q"].split()[0]) == pytest.approx(of_area["Q"] * area / 3.0)

@@ -64,7 +64,7 @@ def test_a_row_of_plane_frames(along: str, soft: bool, monkeypatch: pytest.Monke
     whole = on(in_space, along)
     plane, space = make_frame(on_plane(whole, in_plane, along, monkeypatch)), build_building(whole)
     record, direction = motion(1, 1.5), "xy".index(along)
-    expected, told = passing(plane, watched(plane, 0, ("A", "B", "C"), 1.0), record, velocity="150 m/s")
+    expected, told = passing(plane, watched(plane, 0, FIRST[along], 1.0), record, velocity="150 m/s")
     ground = (record, None) if along == "x" else (np.zeros_like(record), record)
     channels = watched(space, direction, FIRST[along], 2.0)
     found, also = passing(space, channels, *ground, velocity="150 m/s", direction=f"{90 * direction} deg")

@@ -69,7 +69,7 @@ def test_a_row_of_isolated_plane_frames(along: str, case: str, monkeypatch: pyte
     of_plane = f"{of_plane.partition('analyses:')[0]}{text}analyses: [{{name: gravity, kind: gravity}}]\n"
     plane = make_frame(parse_project(of_plane, "frame.yaml", BuildingSections()), dampers=True)
     lines = ("A1", "B1", "C1") if along == "x" else ("A1", "A2", "A3")
-    expected, found = shaken(plane, 0, 1.0, ("A", "B", "C")), shaken(space, direction, 2.0, lines)
+    expected, found = shaken(plane, 0, 1.0, lines), shaken(space, direction, 2.0, lines)
     sizes = {name: np.abs(values).max() for name, values in expected.values.items()}
     for name, values in expected.values.items():
         scale = max(size for other, size in sizes.items() if other.startswith(name.rstrip("0123456789 ")))

@@ -14,6 +14,7 @@ from edesign.project.frame.sections import Catalogue, ElasticSection, PlateSecti
 from edesign.project.notation import names
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, did_you_mean, listed, unknown_name
+from edesign.project.reading.words import counted
 
 Run = ColumnRun | BeamRun | BraceRun | BaseBeams
 
@@ -27,6 +28,7 @@ def check_frame(project: Project, problems: Problems, profiles: Catalogue | None
     """
     frame = project.frame
     check = Selections(frame, problems)
+    _axes(frame, problems)
     _supports(frame, problems)
     check.numbers(("frame", "diaphragms"), frame.diaphragms, "floor", frame.n_storeys)
     for i, column in enumerate(frame.columns):
@@ -56,6 +58,18 @@ def check_frame(project: Project, problems: Problems, profiles: Catalogue | None
         place: Keys = ("dampers", "isolation", "base", "beams")
         _section_of(project, problems, place, isolation.base.beams, profiles)
         _material_of(project, problems, place, isolation.base.beams)
+
+
+def _axes(frame: Frame, problems: Problems) -> None:
+    if frame.axes is None:
+        return
+    keys = ("frame", "axes")
+    if len(frame.axes) != frame.n_lines:
+        message = f"{counted(len(frame.axes), 'name')} for {counted(frame.n_lines, 'line')}; one for each is needed"
+        problems.at_value(keys, f"{message} [E-VALUE-04]")
+    for i, name in enumerate(frame.axes):
+        if name in frame.axes[:i]:
+            problems.at_item(keys, i, f"`{name}` comes twice [E-NAME-02]")
 
 
 def _supports(frame: Frame, problems: Problems) -> None:

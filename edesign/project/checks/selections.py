@@ -117,7 +117,13 @@ class Selections(GridSelections):
             outside = next((line for line in reversed(span) if line not in self.frame.lines), None)
             if outside is not None:
                 last = self.frame.lines[-1]
-                self.problems.at_item(keys, i, f"there is no line {outside}; lines are named A to {last} [E-NAME-01]")
+                first = self.frame.lines[0]
+                told = f"there is no line {outside}; lines are named {first} to {last}"
+                self.problems.at_item(keys, i, f"{told} [E-NAME-01]")
+                good = False
+            elif self.frame.lines.index(span[0]) > self.frame.lines.index(span[1]):
+                message = f"the range `{span[0]}-{span[1]}` runs backwards; write `{span[1]}-{span[0]}` [E-VALUE-04]"
+                self.problems.at_item(keys, i, message)
                 good = False
         return good
 

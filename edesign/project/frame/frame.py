@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import accumulate
-from typing import Annotated
+from typing import Annotated, Any
 
 from pydantic import PrivateAttr
 
@@ -19,8 +20,10 @@ from edesign.project.frame.supports import Support, SupportKind, SupportSprings
 from edesign.project.notation import names
 from edesign.project.notation.grid import BayPlace, InBays
 from edesign.project.notation.selections import NO_NUMBERS, LineSelection, NumberSelection, NumbersOrNone
-from edesign.project.reading.base import Model
+from edesign.project.notation.written import Written, text
+from edesign.project.reading.base import Model, refuse
 from edesign.project.reading.one_of import OneOf
+from edesign.project.reading.problems import as_seen
 
 
 @dataclass(frozen=True)
@@ -40,6 +43,18 @@ class BeamMember:
     length: float
 
 
+def _axis(value: Any) -> Any:
+    if not isinstance(value, str) or not re.fullmatch(names.LINE, value):
+        raise refuse(
+            f"{as_seen(value)} names no line; write a capital letter, then letters, figures or ', 8 at most, such as "
+            "`A1` [E-VALUE-01]"
+        )
+    return value
+
+
+Axis = Annotated[str, Written(_axis, text("name of a column line", names.LINE, "A1", "B"))]
+
+
 class Frame(Storeys, Model):
     """A plane frame on a grid of bays and storeys.
 
@@ -51,6 +66,7 @@ class Frame(Storeys, Model):
             may also stand in a list.
         storeys: heights of the storeys from the bottom, as a list, or `{count, height}` for equal ones,
             which may also stand in a list.
+        axes: names of the column lines from the left, as plans have them; without the key A, B, ...
         supports: support of all columns, or a mapping by line; lines that it does not name take its `default`, else
             `fixed`.
         diaphragms: floors whose nodes share their horizontal displacement.
@@ -64,6 +80,7 @@ class Frame(Storeys, Model):
 
     bays: Annotated[Widths | EqualBays, OneOf()]
     storeys: Annotated[Heights | EqualStoreys, OneOf()]
+    axes: tuple[Axis, ...] | None = None
     supports: Annotated[SupportKind | dict[str, Support], OneOf()] = "fixed"
     diaphragms: NumbersOrNone = NO_NUMBERS
     columns: tuple[ColumnRun, ...]
@@ -106,7 +123,9 @@ class Frame(Storeys, Model):
 
     @cached_property
     def lines(self) -> tuple[str, ...]:
-        """Names of the column lines, left to right: ("A", "B", ...)."""
+        """Names of the column lines, left to right: ("A", "B", ...), or `axes`."""
+        if self.axes is not None and len(self.axes) == self.n_lines:  # the cross checks tell another number
+            return self.axes
         return tuple(names.line_name(i) for i in range(self.n_lines))
 
     @cached_property
@@ -275,7 +294,7 @@ class Frame(Storeys, Model):
 
     def line_place(self, line: str) -> tuple[float]:
         """Return the place of a line as a tuple of its x alone, m."""
-        return (self.x[names.line_index(line)],)
+        return (self.x[self.lines.index(line)],)
 
     def bay_places(self, chosen: InBays) -> Iterator[BayPlace]:
         """Yield the places of what stands in bays, storey by storey."""

@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from typing import Literal
 
+LINE = r"[A-Z][A-Z0-9']{0,7}"
+"""Expression of the name of a column line: letters, or what plans call it, such as `A1` or `B'`."""
+
 
 def line_name(index: int) -> str:
     """Return the name of a column line: 0 -> A, 25 -> Z, 26 -> AA, 27 -> AB.
@@ -37,13 +40,13 @@ def line_index(name: str) -> int:
 
 
 def node_name(line: str, floor: int) -> str:
-    """Return the name of the node on a line at a floor: A3.
+    """Return the name of the node on a line at a floor: A3; `A1.3` where the name of the line ends in no letter.
 
     Args:
         line: name of the column line.
         floor: number of the floor; 0 is the base.
     """
-    return f"{line}{floor}"
+    return f"{line}{floor}" if line.isalpha() else f"{line}.{floor}"
 
 
 def column_name(line: str, storey: int) -> str:

@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Annotated, Any
 
-from edesign.project.notation.names import line_index
+from edesign.project.notation.names import LINE, line_index
 from edesign.project.notation.written import SHARED, SchemaMaker, Written, given
 from edesign.project.reading.base import refuse
 from edesign.project.reading.problems import as_seen
 
 _NUMBER_RANGE = re.compile(r"\s*([0-9]{1,6})\s*(?:-\s*([0-9]{1,6})\s*)?")
-_LINE_RANGE = re.compile(r"\s*([A-Z]{1,3})\s*(?:-\s*([A-Z]{1,3})\s*)?")
+_LINE_RANGE = re.compile(rf"\s*({LINE})\s*(?:-\s*({LINE})\s*)?")
 
 
 @dataclass(frozen=True)
@@ -58,11 +59,17 @@ class LineSelection:
         """Return the selected lines in the order of `lines`, each once."""
         if self.is_all:
             return tuple(lines)
-        spans = [(line_index(a), line_index(b)) for a, b in self.ranges]
-        return tuple(line for line in lines if any(a <= line_index(line) <= b for a, b in spans))
+        place = {line: i for i, line in enumerate(lines)}
+        spans = [tuple(place.get(end, _beyond(end)) for end in ends) for ends in self.ranges]
+        return tuple(line for line, i in place.items() if any(a <= i <= b for a, b in spans))
 
     def __str__(self) -> str:
         return "all" if self.is_all else written([_span(a, b) for a, b in self.ranges])
+
+
+def _beyond(line: str) -> float:
+    """The place of a line that the frame does not have: that of its letters; nowhere if it has a name of its own."""
+    return line_index(line) if line.isalpha() else math.nan
 
 
 def parse_numbers(value: Any) -> NumberSelection:
@@ -136,7 +143,7 @@ Lines = Annotated[
         parse_lines,
         selection(
             "selection of lines",
-            r"[A-Z]{1,3}(?:\s*-\s*[A-Z]{1,3})?",
+            rf"{LINE}(?:\s*-\s*{LINE})?",
             ("all",),
             "`all`, `B`, `A-D` or `[A, C-D]`",
             False,
@@ -185,7 +192,7 @@ def _line_range(item: Any, at: tuple[int, ...]) -> tuple[str, str]:
             f"{as_seen(item)} is no selection of lines; write `all`, `B`, `A-D` or `[A, C-D]` [E-VALUE-01]", *at
         )
     first, last = match[1], match[2] or match[1]
-    if line_index(first) > line_index(last):
+    if first.isalpha() and last.isalpha() and line_index(first) > line_index(last):
         raise refuse(f"the range `{item}` runs backwards; write `{last}-{first}` [E-VALUE-04]", *at)
     return first, last
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.assess.envelopes import peak
-from edesign.project.notation.names import line_name
+from edesign.project.notation.names import line_index, line_name
 from edesign.report.drawing.captions import some_names
 from edesign.report.response.histories import groups_alike, names_of
 from edesign.report.tables.column import col, text
@@ -160,6 +160,19 @@ def _beams(group: Group) -> Iterator[Row]:
         yield {"beam": f"B_{bay}_{storey}", "up": up, "along": along, "moment": moment}
 
 
+def _lines(columns: Sequence[tuple[str, str]]) -> list[str]:
+    """The lines of a frame from the left, by those of its columns, whose names come storey by storey.
+
+    Letters say their place. Of other names those of the storey with most columns stand in their order.
+    """
+    if all(line.isalpha() for line, _ in columns):
+        return [line_name(i) for i in range(1 + max((line_index(line) for line, _ in columns), default=0))]
+    storeys: dict[str, list[str]] = {}
+    for line, storey in columns:
+        storeys.setdefault(storey, []).append(line)
+    return max(storeys.values(), key=len)
+
+
 def _columns(group: Group) -> Iterator[Row]:
     """The axial forces of the columns with all braces at adjusted strength at once, swaying either way.
 
@@ -167,6 +180,7 @@ def _columns(group: Group) -> Iterator[Row]:
     half. Braces between two nodes anywhere are not counted.
     """
     columns = [name.split("_") for name in names_of(group, "column")]
+    lines = _lines([(line, storey) for _, line, storey in columns])
     heights, lengths = _values(group, "storey_height"), _values(group, "damper_length")
     tension, compression = (_values(group, f"damper_adjusted_{side}") for side in ("tension", "compression"))
     down: dict[
@@ -181,7 +195,7 @@ def _columns(group: Group) -> Iterator[Row]:
         if kind == "N":
             continue
         bay, storey = int(place[0]), int(place[1])
-        left, right = line_name(bay - 1), line_name(bay)
+        left, right = lines[bay - 1], lines[bay]
         rises = kind == "R" or (kind == "V" and place[2] == "r")
         pulls = np.array([tension[i], -compression[i]] if rises else [-compression[i], tension[i]])
         pulls *= heights[storey - 1] / lengths[i]

@@ -6,7 +6,6 @@ from functools import partial
 
 from edesign.project.building.building import Building
 from edesign.project.building.hinges import BuildingHinges, BuildingJoints, BuildingPanelZones
-from edesign.project.notation.names import line_name
 from edesign.project.reading.yaml_edit import yaml_text
 from edesign.space.extract.frame_row import FrameRow
 from edesign.space.extract.plane_frame import PlaneFrame
@@ -71,7 +70,7 @@ def _entries(row: FrameRow, run: BuildingHinges | BuildingJoints, more: str) -> 
             if (frame.lines[i], storey) in standing and of.strong == row.along
         }
     )
-    places = runs(columns, range(row.n_lines), row.top, line_name)
+    places = runs(columns, range(row.n_lines), row.top, row.line_name)
     return [f"  - {{columns: {{lines: {at}, storeys: {storeys}}}, {more}}}" for at, storeys, _ in places]
 
 
@@ -81,7 +80,7 @@ def _panel_zones(row: FrameRow) -> list[str]:
     found = []
     for number, run in enumerate(building.panel_zones):
         more = _more(building, "panel_zones", number, "at", "floors")
-        for at, floors, _ in runs(row.merged(partial(_joints_in, run)), range(row.n_lines), row.top, line_name):
+        for at, floors, _ in runs(row.merged(partial(_joints_in, run)), range(row.n_lines), row.top, row.line_name):
             found.append(f"  - {{lines: {at}, floors: {floors}{', ' * bool(more)}{more}}}")
     return found
 

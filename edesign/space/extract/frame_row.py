@@ -15,6 +15,8 @@ from edesign.space.extract.plane_frame import PlaneFrame, parallel_frames, plane
 from edesign.space.structure.frame import SpaceFrame
 
 V = TypeVar("V")
+LEANING_LINE = "L"
+"""Line of the columns that stand for what leans on a frame; column lines of a building end in a figure."""
 
 
 @dataclass(frozen=True)
@@ -79,6 +81,17 @@ class FrameRow:
         for before, after in zip(self.frames, self.frames[1:], strict=False):
             found += [place[after.number] - place[before.number], *own]
         return tuple(found)
+
+    def line_name(self, i: int) -> str:
+        """Return the name of a line, that of its column line in the building; of one beyond them, for what leans.
+
+        Args:
+            i: number of the line, from 0, counted through.
+        """
+        if i == self.n_lines:
+            return LEANING_LINE
+        frame, own = divmod(i, len(self.frames[0].lines))
+        return str(self.frames[frame].lines[own])
 
     def merged(self, of: Callable[[PlaneFrame], Mapping[tuple[int, int], V]]) -> dict[tuple[int, int], V]:
         """Return values of all frames by (line from 0 or bay from 1, storey or floor), counted through."""

@@ -8,11 +8,10 @@ from fractions import Fraction
 from edesign.project.building.building import Building
 from edesign.project.building.layout import ways
 from edesign.project.building.members import BeamRun, BraceRun, ColumnRun
-from edesign.project.building.names import BracePlace
+from edesign.project.building.names import BeamPlace, BracePlace
 from edesign.project.frame.materials import ElasticMaterial, Material, MenegottoPintoMaterial, with_stiffness
 from edesign.project.frame.member_design import MemberStability, SteelFactors
 from edesign.project.frame.sections import BoxSection, PlateSection, RectangleSection
-from edesign.project.notation.names import line_name
 from edesign.project.reading.yaml_edit import yaml_text
 from edesign.space.extract.ends_text import ends_text
 from edesign.space.extract.frame_row import FrameRow
@@ -100,13 +99,15 @@ class _ProjectText:
     def head(self) -> list[str]:
         row = self.row
         text = [f"# {row.name[0].upper()}{row.name[1:]} of the building."]
+        text.append("# Lines and columns have their names in the building, beams count from the left.")
+        n_bays = len(row.frames[0].lines) - 1
         for frame, start in zip(row.frames, row.starts, strict=True):
-            first, last = line_name(start), line_name(start + len(frame.lines) - 1)
-            text.append(
-                f"# Lines {first} to {last} are its column lines {frame.lines[0]} to {frame.lines[-1]}."
-                if row.alone is not None
-                else f"# Lines {first} to {last} are frame {frame.name}."
-            )
+            beam = str(BeamPlace(row.along, frame.number, 1, 1))
+            if row.alone is not None:
+                text.append(f"# Beam B_1_1 is {beam}, and so are the others.")
+            else:
+                bays = f"Bays {start + 1} to {start + n_bays}" if n_bays > 1 else f"Bay {start + 1}"
+                text.append(f"# {bays}: frame {frame.name}, B_{start + 1}_1 is its beam {beam}.")
         text.append("# Beams carry their loads where these act, nodes what beams at right angles bring.")
         if without := left_out(self.building):
             stands = "The frame stands on its supports. " if self.building.isolation is not None else ""
@@ -123,7 +124,7 @@ class _ProjectText:
         shares = f"by the lever rule, at floor {first} {leaning}"
         text = f"# Frames that resist nothing along {along} lean on this one {shares}."
         if self.leans:
-            line = line_name(self.leaning_line)
+            line = self.row.line_name(self.leaning_line)
             return [text, f"# Line {line} is theirs: pin-ended columns with their masses and loads."]
         return [
             text,
@@ -137,10 +138,11 @@ class _ProjectText:
         supports = {line: kind for (line, _), kind in sorted(found.items())}
         supports |= {self.leaning_line: "pinned"} if self.leans else {}
         kinds = set(supports.values())
-        by_line = "{" + ", ".join(f"{line_name(i)}: {kind}" for i, kind in supports.items()) + "}"
+        by_line = "{" + ", ".join(f"{self.row.line_name(i)}: {kind}" for i, kind in supports.items()) + "}"
         return [
             "frame:",
             f"  bays: {_lengths(widths, 'width')}",
+            f"  axes: [{', '.join(map(self.row.line_name, self.lines))}]",
             f"  storeys: {_lengths(self.building.storey_heights[: self.storeys], 'height')}",
             f"  supports: {kinds.pop() if len(kinds) == 1 else by_line}",
             f"  diaphragms: {self._diaphragms()}",
@@ -162,7 +164,7 @@ class _ProjectText:
             }
         )
         text = ["  columns:"]
-        for at, storeys, (name, steel, axis) in runs(columns, self.lines, self.storeys, line_name):
+        for at, storeys, (name, steel, axis) in runs(columns, self.lines, self.storeys, self.row.line_name):
             text.append(f"    - {{lines: {at}, storeys: {storeys}, {_section(name, steel)}{axis}}}")
         text.append("  beams:" if beams else "  beams: []")
         for at, floors, (name, steel) in runs(beams, self.bays, self.storeys, str):
@@ -189,7 +191,7 @@ class _ProjectText:
         no_beams = {(b, f): True for f in levels for b in self.bays if (b, f) not in beams}
         text = ["  missing:"] if no_columns or no_beams else []
         if no_columns:
-            places = runs(no_columns, self.lines, self.storeys, line_name)
+            places = runs(no_columns, self.lines, self.storeys, self.row.line_name)
             text.append("    columns: [" + ", ".join(f"{{lines: {at}, storeys: {s}}}" for at, s, _ in places) + "]")
         if no_beams:
             places = runs(no_beams, self.bays, self.storeys, str)
@@ -207,7 +209,9 @@ class _ProjectText:
         for at, floors, which in runs(pins, self.bays, self.storeys, str):
             text.append(f"    - {{beams: {{bays: {at}, floors: {floors}}}, ends: {which}}}")
         if self.leans:
-            text.append(f"    - {{columns: {{lines: {line_name(self.leaning_line)}, storeys: all}}, ends: both}}")
+            text.append(
+                f"    - {{columns: {{lines: {self.row.line_name(self.leaning_line)}, storeys: all}}, ends: both}}"
+            )
         return text
 
     def sections(self) -> list[str]:
@@ -290,7 +294,7 @@ class _ProjectText:
             along = f"G: {value(own, 'kN/m')}, Q: {value(live, 'kN/m')}"
             text.append(f"    - {{bays: {at}, floors: {floors}, {along}{points}}}")
         text.append("  nodes:")
-        for at, floors, (own, live) in runs(nodes, self.lines, self.storeys, line_name):
+        for at, floors, (own, live) in runs(nodes, self.lines, self.storeys, self.row.line_name):
             text.append(f"    - {{lines: {at}, floors: {floors}, G: {value(own, 'kN')}, Q: {value(live, 'kN')}}}")
         return [*text, f"  gravity: {{G: {self.building.loads.gravity.G}, Q: {factor:.6g}}}              # {why}", ""]
 
@@ -322,7 +326,7 @@ class _ProjectText:
             return []
         directions = self.building.masses.directions if self.building.masses is not None else "horizontal"
         text = ["masses:", f"  directions: {directions}", "  given:"]
-        for at, floors, mass in runs(tonnes, self.lines, self.storeys, line_name):
+        for at, floors, mass in runs(tonnes, self.lines, self.storeys, self.row.line_name):
             text.append(f"    - {{lines: {at}, floors: {floors}, mass: {value(mass, 't')}}}")
         return [*text, ""]
 
