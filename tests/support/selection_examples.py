@@ -97,12 +97,16 @@ def enumerated(building: Building) -> Evaluation | None:
         choice
         for choice in product(*(range(len(group.sections)) for group in evaluate.groups))
         if all(evaluate.groups[a].area[choice[a]] <= evaluate.groups[b].area[choice[b]] for a, b in order)
+        and evaluate.wishes.met(choice)
     ]
-    for choice in sorted(choices, key=evaluate.cost):  # the first that is met is the cheapest
+    best: Evaluation | None = None
+    for choice in sorted(choices, key=evaluate.cost):  # without doublers: the first that is met, or a later one
+        if best is not None and evaluate.cost(choice) > best.cost:
+            break
         found = evaluate(choice)
-        if found.met:
-            return found
-    return None
+        if found.met and (best is None or found.cost < best.cost):
+            best = found
+    return best
 
 
 INTERIOR = """\

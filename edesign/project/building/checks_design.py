@@ -149,6 +149,10 @@ def _select(building: Building, select: Select, problems: Problems) -> None:
         problems.at_value(
             (*keys, "objective"), "`cost` needs the prices of a kilogram; give `prices` by family [E-KEY-02]"
         )
+    for key in ("splice", "doubler") if select.objective == "mass" else ():
+        if getattr(select.prices_each, key) is not None:
+            message = "prices count where the objective is `cost`; it is `mass` [E-KEY-03]"
+            problems.at_key((*keys, "prices_each", key), message)
     if select.objective == "mass" and select.prices:
         problems.at_key((*keys, "prices"), "prices count where the objective is `cost`; it is `mass` [E-KEY-03]")
     for group in select.lists.groups:

@@ -11,7 +11,7 @@ from pydantic import Field
 from edesign.project.frame.member_design import BucklingLength, LengthFactors, MemberStability, SteelFactors
 from edesign.project.frame.sections import SectionChoice
 from edesign.project.notation.selections import ALL_NUMBERS, Numbers
-from edesign.project.notation.several import ShortName
+from edesign.project.notation.several import ShortName, several
 from edesign.project.notation.units import (
     Factor,
     PositiveFactor,
@@ -20,7 +20,7 @@ from edesign.project.notation.units import (
     parse_ratio,
     written_ratio,
 )
-from edesign.project.notation.written import Written, as_kept, either, given, ratio, text, words_or
+from edesign.project.notation.written import Written, as_kept, either, given, one_or_list, ratio, text, words_or
 from edesign.project.reading.base import Model, refuse
 
 SystemType = Literal["moment_frame", "concentric_diagonal", "concentric_v"]
@@ -314,6 +314,19 @@ class SectionLists(Model):
     groups: dict[str, SectionChoice] = Field(default_factory=dict)
 
 
+class PricesEach(Model):
+    """Prices of pieces of work beside that of the steel, in the currency of `prices`.
+
+    Attributes:
+        splice: price of a splice of a column where its section changes; without the key splices are not counted.
+        doubler: price of a web panel that needs a supplementary web plate, with the plate; without the key they are not
+            counted.
+    """
+
+    splice: PositiveFactor | None = None
+    doubler: PositiveFactor | None = None
+
+
 class Select(Model):
     """How `edesign design` chooses sections.
 
@@ -322,6 +335,9 @@ class Select(Model):
         largest_depth: largest depth of the sections of `columns`, `beams`, `braces`, or of a group.
         objective: what is made least: mass of steel, or cost.
         prices: price of a kilogram by family, in any currency, for the objective `cost`; `default` for the others.
+        prices_each: prices of pieces of work, for the objective `cost`.
+        same_depth: `columns` that stand on each other have one nominal depth, `beams` that meet in a frame at a floor.
+        most_sections: largest number of different sections of `columns`, `beams`, `braces`, or of `all` members.
         columns_not_larger_above: whether no column has a larger area than the one below it.
         starts: points from which the search starts, beside the sections of the file.
         evaluations: how many designs the search may ask for.
@@ -332,6 +348,11 @@ class Select(Model):
     largest_depth: dict[str, PositiveLength] = Field(default_factory=dict)
     objective: Literal["mass", "cost"] = "mass"
     prices: dict[Annotated[str, Field(pattern=r"^[A-Za-z]+$", max_length=12)], PositiveFactor] = Field(
+        default_factory=dict
+    )
+    prices_each: PricesEach = PricesEach()
+    same_depth: Annotated[tuple[Literal["columns", "beams"], ...], Written(several, one_or_list)] = ()
+    most_sections: dict[Literal["columns", "beams", "braces", "all"], Annotated[int, Field(ge=1, le=1000)]] = Field(
         default_factory=dict
     )
     columns_not_larger_above: bool = True

@@ -54,8 +54,9 @@ def _whole(selection: Selection) -> list[str]:
     before, after = (significant(of / 1e3) for of in (selection.mass_before, selection.mass))
     priced = design_of(selection.building).select.objective == "cost"
     less = "cheaper" if priced else "lighter"
+    alike = "" if selection.free is None else ", nor one of two of those that the wishes bind together,"
     certificate = (
-        f"certificate: no single and no double exchange of sections is {less} and meets all checks"
+        f"certificate: no single and no double exchange of sections{alike} is {less} and meets all checks"
         if selection.certified
         else f"no certificate: the evaluations of design.select were used up; {less} sections may meet all checks"
     )
@@ -69,7 +70,42 @@ def _whole(selection: Selection) -> list[str]:
     return [
         f"steel: {after} t, with the sections of the file {before} t",
         *price,
+        *_work(selection),
+        *_wishes(selection),
         f"{selection.evaluations} designs were analysed; {starts} met all checks",
         certificate,
         *not_met,
     ]
+
+
+def _work(selection: Selection) -> list[str]:
+    """Splices and doublers, and what they cost where they have a price."""
+    each = design_of(selection.building).select.prices_each
+    counted = (
+        (selection.splices, "where the section of a column changes", "splices", each.splice),
+        (selection.doublers, "of web panels", "doublers", each.doubler),
+    )
+    return [
+        f"{name} {where}: {number}" + (f", {significant(number * price)} of the price" if price is not None else "")
+        for number, where, name, price in counted
+        if number or price is not None
+    ]
+
+
+def _wishes(selection: Selection) -> list[str]:
+    """What the wishes cost beside the choice without them."""
+    free, select = selection.free, design_of(selection.building).select
+    if free is None:
+        return []
+    asked = [f"one nominal depth of {kind} in a line" for kind in select.same_depth]
+    asked += [
+        f"at most {most} section{'s' if most > 1 else ''} of {'all members' if kind == 'all' else kind}"
+        for kind, most in select.most_sections.items()
+    ]
+    if not free.best.met:
+        return [f"wishes: {', '.join(asked)}; without them no choice was found that meets all checks"]
+    more = [f"{significant((selection.mass - free.best.mass) / 1e3)} t of steel"]
+    if select.objective == "cost":
+        more.append(f"{significant(selection.cost - free.best.cost)} of the price")
+    share = 100.0 * (selection.cost / free.best.cost - 1.0)
+    return [f"wishes: {', '.join(asked)}; they cost {' and '.join(more)}, {significant(share)} %"]

@@ -18,8 +18,12 @@ def selection_group(selection: Selection) -> Group:
             "evaluations": selection.evaluations,
             "certified": int(selection.certified),
             "starts": selection.starts,
+            "splices": selection.splices,
+            "doublers": selection.doublers,
         }
     )
+    if selection.free is not None:
+        group.attributes |= {"mass_free_kg": selection.free.best.mass, "free_met": int(selection.free.best.met)}
     names = np.array([row.group.name for row in rows])
     group.coords["group"] = Variable(("group",), names, "", "group of members")
     for name, values, unit, text in (

@@ -22,6 +22,7 @@ from edesign.space.checks.rules import brace_slenderness
 from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign
 from edesign.space.selection.ahead import Ahead
 from edesign.space.selection.groups import Group
+from edesign.space.selection.wishes import wishes_of
 from edesign.space.structure.design_block import MOMENT_FRAME, design_of, left_out, rules_of, system_of
 from edesign.space.structure.frame import AXES
 
@@ -43,10 +44,11 @@ class Evaluation:
     Attributes:
         choice: of the sections.
         mass: of steel, kg.
-        cost: what is to be least: the mass, or the price.
+        cost: what is to be least: the mass, or the price with that of splices and doublers.
         met: whether all checks are met that sections can change and that are not left out.
         excess: sum of max(u - 1, 0) over members, storeys, joints and diagonals.
         worst: the largest u.
+        doublers: web panels that need a supplementary plate.
     """
 
     choice: Choice
@@ -55,6 +57,7 @@ class Evaluation:
     met: bool
     excess: float
     worst: float
+    doublers: int = 0
 
 
 class OutOfEvaluations(Exception):
@@ -70,6 +73,7 @@ class Evaluator:
     Attributes:
         budget: how many choices may be asked for; None: any number.
         searched: clauses for the whole building that count.
+        wishes: of the file.
     """
 
     def __init__(self, analysis: ElasticAnalysis, groups: Sequence[Group], workers: int = 1) -> None:
@@ -81,6 +85,8 @@ class Evaluator:
         self._last: tuple[Choice, ElasticDesign] | None = None
         design = design_of(analysis.building)
         self.searched = searched_clauses(analysis) - left_out(design)
+        self.wishes = wishes_of(design.select, analysis.frame, groups)
+        self._each = design.select.prices_each
         names = [group.name for group in groups]
         self._group_of_members = np.array([names.index(member.group) for member in analysis.frame.members])
         self._ahead = Ahead(self._evaluated, partial(_evaluated_by, analysis.building, self.groups), workers)
@@ -111,16 +117,28 @@ class Evaluator:
         return math.fsum(group.mass[number] for group, number in zip(self.groups, choice, strict=True))
 
     def cost(self, choice: Choice) -> float:
-        """Return what is to be least: the mass of steel in kg, or its price.
+        """Return what is to be least: the mass of steel in kg, or its price with that of splices, without doublers.
+
+        Which panels need a doubler is known after an analysis; a cost is then larger, never smaller.
 
         Args:
             choice: number of the section of each group.
         """
-        return math.fsum(group.cost[number] for group, number in zip(self.groups, choice, strict=True))
+        steel = math.fsum(group.cost[number] for group, number in zip(self.groups, choice, strict=True))
+        return steel if self._each.splice is None else steel + self._each.splice * self.wishes.splices(choice)
 
     def sections(self, choice: Choice) -> dict[str, str]:
         """Return the section of each group."""
         return {group.name: group.sections[number] for group, number in zip(self.groups, choice, strict=True)}
+
+    def known(self, choice: Choice) -> Evaluation | None:
+        """Return what was found for a choice; None if it was not asked for."""
+        return self._known.get(choice)
+
+    @property
+    def prices_doublers(self) -> bool:
+        """Whether a doubler has a price."""
+        return self._each.doubler is not None
 
     def all_known(self) -> tuple[Evaluation, ...]:
         """Return all that was found so far."""
@@ -194,7 +212,9 @@ class Evaluator:
         every = np.concatenate(over)
         met = not bool((design.members.utilisation > 1.0).any()) and not self.broken(design)
         excess = float(np.maximum(every - 1.0, 0.0).sum())
-        return Evaluation(choice, self.mass(choice), self.cost(choice), met, excess, float(every.max()))
+        doublers = sum(panel.doubler > 0.0 for panel in design.panels)
+        cost = self.cost(choice) + (self._each.doubler or 0.0) * doublers
+        return Evaluation(choice, self.mass(choice), cost, met, excess, float(every.max()), doublers)
 
 
 def _evaluated_by(building: Building, groups: Sequence[Group]) -> Callable[[Choice], Evaluation]:

@@ -84,7 +84,8 @@ def _group(analysis: ElasticAnalysis, name: str) -> Group:
         bent = member.kind != "brace"
         fit = [of for of in whole if _fits(analysis, name, of.name, bent, highest) and slender(of)]
         left_out += [of.name for of in whole if of not in fit]
-        chosen |= {of.name for of in (efficient(fit, lambda of: of.A * price(of.name)) if len(whole) > 1 else fit)}
+        spare = len(whole) > 1 and not (select.same_depth or select.most_sections)  # which a dominated one may serve
+        chosen |= {of.name for of in (efficient(fit, lambda of: of.A * price(of.name)) if spare else fit)}
     if not chosen:
         why = f"; of a class above {highest}, too thick, or of a wrong slenderness are {listed(left_out)}"
         why = why if left_out else ""

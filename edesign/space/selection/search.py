@@ -16,6 +16,7 @@ from edesign.errors import InputError
 from edesign.space.elastic_design import ElasticDesign
 from edesign.space.selection.evaluate import Choice, Evaluation, Evaluator, OutOfEvaluations
 from edesign.space.selection.groups import Group
+from edesign.space.selection.wishes import Exchange, Wishes
 from edesign.space.structure.frame import SpaceFrame
 
 UP = (1, 2)
@@ -28,8 +29,6 @@ SILENT = 100
 """Evaluations after which the search says where it is."""
 Move = tuple[tuple[int, int], ...]
 """Groups with the sizes that they go up or, negative, down."""
-Exchange = tuple[tuple[int, int], ...]
-"""Groups with the numbers of their new sections."""
 Listener = Callable[[str], None]
 
 
@@ -65,11 +64,18 @@ class Search:
         order: pairs of groups (upper, lower) of which the upper one must not be larger.
         budget: largest number of evaluations.
         progress: takes a line of progress.
+        wishes: which choices are allowed; None: those of the file.
     """
 
     def __init__(
-        self, evaluate: Evaluator, order: Sequence[tuple[int, int]], budget: int, progress: Listener = lambda line: None
+        self,
+        evaluate: Evaluator,
+        order: Sequence[tuple[int, int]],
+        budget: int,
+        progress: Listener = lambda line: None,
+        wishes: Wishes | None = None,
     ) -> None:
+        self._wishes = evaluate.wishes if wishes is None else wishes
         self._evaluate = evaluate
         self._groups = evaluate.groups
         self._order = tuple(order)
@@ -88,7 +94,7 @@ class Search:
         best: Evaluation | None = None
         certified, fruitful = False, 0
         points = starts + (given is not None)
-        self._evaluate.budget = self._budget
+        self._evaluate.budget = self._evaluate.count + self._budget
         try:
             for number, point in enumerate(self._points(starts, given), 1):
                 self._at = number, points
@@ -110,13 +116,13 @@ class Search:
                 best, certified = lighter, False
         finally:
             self._evaluate.budget = None
-        return Found(
-            best or min(self._evaluate.all_known(), key=lambda of: (of.excess, of.cost, of.choice)), certified, fruitful
-        )
+        known = [of for of in self._evaluate.all_known() if self._wishes.met(of.choice)] if best is None else []
+        return Found(best or min(known, key=lambda of: (of.excess, of.cost, of.choice)), certified, fruitful)
 
     def _met(self, best: Evaluation | None) -> Evaluation | None:
         """The lightest choice found so far that meets all checks; None if it is not lighter than the best one."""
-        met = [of for of in self._evaluate.all_known() if of.met and (best is None or _less(of.cost, best.cost))]
+        known = [of for of in self._evaluate.all_known() if self._wishes.met(of.choice)]
+        met = [of for of in known if of.met and (best is None or _less(of.cost, best.cost))]
         return min(met, key=lambda of: (of.cost, of.worst, of.choice), default=None)
 
     def _said(self, what: str, ended: bool = False) -> None:
@@ -144,6 +150,8 @@ class Search:
             if point is not None and point not in seen:
                 seen.add(point)
                 yield self._evaluate(point)
+        if given is not None and self._wishes.bind:
+            given = self._repaired(list(given))
         if given is not None and given not in seen and self._ordered(given):
             yield self._evaluate(given)
 
@@ -151,9 +159,14 @@ class Search:
         """Return the lightest sections of the lists.
 
         Raises:
-            InputError: the lists have only larger columns above than below.
+            InputError: the lists have only larger columns above than below, or nothing that the wishes allow.
         """
         found = self._repaired([0] * len(self._groups))
+        if found is None and self._wishes.bind:
+            raise InputError(
+                "no sections of the lists were found that `same_depth`, `most_sections` and "
+                "`columns_not_larger_above` allow together; give longer or like lists [E-SPACE-07]"
+            )
         if found is None:
             raise InputError(
                 "the sections of a group of columns are all larger than those of the group below it [E-SPACE-07]"
@@ -166,7 +179,7 @@ class Search:
         Args:
             wide: those of more groups or more sizes, which the certificate does not speak of.
         """
-        cost, found, costs = self._evaluate.cost(base), dict[Choice, Exchange](), dict[Choice, float]()
+        cost, found, costs = self._whole_cost(base), dict[Choice, Exchange](), dict[Choice, float]()
         for exchange in self._wide_exchanges(base) if wide else self._exchanges(base):
             numbers = list(base)
             for group, number in exchange:
@@ -176,10 +189,25 @@ class Search:
                 found[choice], costs[choice] = exchange, less
         return {of: found[of] for of in sorted(found, key=lambda of: (costs[of], of))}
 
+    def _whole_cost(self, choice: Choice) -> float:
+        """What a choice costs, with doublers if it was analysed."""
+        known = self._evaluate.known(choice)
+        return self._evaluate.cost(choice) if known is None else known.cost
+
     # --- points
 
     def _repaired(self, numbers: list[int]) -> Choice | None:
-        """Make lower columns as large as those above them; None where their lists do not allow it."""
+        """Make lower columns as large as those above them, and grant the wishes; None where the lists do not allow it.
+
+        Each grows sections alone, so that they come to an end.
+        """
+        ordered = self._in_order(numbers)
+        while ordered is not None and not self._wishes.met(ordered):
+            raised = self._wishes.raised(ordered)
+            ordered = None if raised is None else self._in_order(raised)
+        return ordered
+
+    def _in_order(self, numbers: list[int]) -> Choice | None:
         for _ in range(len(self._groups)):  # from storey to storey
             done = True
             for upper, lower in self._order:
@@ -195,7 +223,7 @@ class Search:
         return None
 
     def _ordered(self, choice: Sequence[int]) -> bool:
-        return all(
+        return self._wishes.met(choice) and all(
             self._groups[upper].area[choice[upper]] <= self._groups[lower].area[choice[lower]]
             for upper, lower in self._order
         )
@@ -222,6 +250,12 @@ class Search:
         yield from (
             ((one, a), (other, b)) for one, other in combinations(groups, 2) for a in below[one] for b in below[other]
         )
+        if self._wishes.widen or self._evaluate.prices_doublers:
+            single = [
+                ((group, k),) for group in groups for k in (*self._below(group, base[group], DOWN), *above[group])
+            ]
+            yield from single
+            yield from self._wishes.exchanges(base, single)
 
     def _wide_exchanges(self, base: Choice) -> Iterator[Exchange]:
         """Exchanges of more: a group down by several sizes and another up; all beams up and all columns down, or so."""
@@ -372,7 +406,7 @@ class Search:
         while True:
             every = self.lighter(base.choice)
             first = self._promising(base.choice, every | self.lighter(base.choice, wide=True), failed)
-            step = self._step(first, failed) or self._step(every, failed)
+            step = self._step(first, failed, base.cost) or self._step(every, failed, base.cost)
             if step is None:
                 return base
             base = step
@@ -396,8 +430,12 @@ class Search:
             found |= {(group, number) for group, number in enumerate(numbers) if use[group] <= 1.0}
         return found
 
-    def _step(self, choices: Mapping[Choice, Exchange], failed: set[Exchange]) -> Evaluation | None:
-        """Return the first choice that meets all checks, of equal costs the one with the least utilisation."""
+    def _step(self, choices: Mapping[Choice, Exchange], failed: set[Exchange], cost: float) -> Evaluation | None:
+        """Return the cheapest choice that meets all checks for less than a cost, of equal ones the least used.
+
+        Args:
+            choices: by rising cost without doublers.
+        """
         best: Evaluation | None = None
         self._evaluate.expect(choices)
         for choice, exchange in choices.items():
@@ -406,7 +444,11 @@ class Search:
             found = self._evaluate(choice)
             if not found.met:
                 failed.add(exchange)
-            elif best is None or found.worst < best.worst:
+            elif not _less(found.cost, cost):
+                continue  # its doublers make up for what it saves
+            elif best is None or _less(found.cost, best.cost):
+                best = found
+            elif not _less(best.cost, found.cost) and found.worst < best.worst:
                 best = found
         return best
 

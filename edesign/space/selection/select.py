@@ -81,8 +81,12 @@ class Selection:
         mass_before, mass: of steel, kg.
         cost: what was to be least: the mass, or its price.
         evaluations: designs that were analysed.
-        certified: whether no single and no double exchange of sections is lighter and meets the checks.
+        certified: whether no single and no double exchange of sections is lighter and meets the checks; with wishes
+            those of groups that they bind together count as one.
         starts: how many starts of the search met all checks.
+        splices: columns with another section than the column below them.
+        doublers: web panels that need a supplementary plate.
+        free: what was found without the wishes `same_depth` and `most_sections`; None: the file has none.
         not_met: rules that the design does not meet: those left out by the file, and those that no section changes.
     """
 
@@ -95,6 +99,9 @@ class Selection:
     evaluations: int
     certified: bool
     starts: int
+    splices: int
+    doublers: int
+    free: Found | None
     not_met: tuple[RuleCheck, ...]
 
 
@@ -125,13 +132,20 @@ def select_sections(building: Building, progress: Listener = lambda line: None, 
             search.lightest()
         except InputError as error:
             raise InputError(f"{building.where('design', 'select')}: design.select: {error}") from error
+        given, free = _choice(groups, before), None
         try:
-            found = search.run(select.starts, _choice(groups, before))
+            if evaluate.wishes.bind:
+                progress("without the wishes:")
+                without = Search(evaluate, order, select.evaluations, progress, evaluate.wishes.free)
+                free = without.run(select.starts, given)
+                given = free.best.choice
+                progress("with the wishes:")
+            found = search.run(select.starts, given)
         finally:
             evaluate.close()
         if not found.best.met:
             raise InputError(_in_the_way(building, evaluate, found))
-        return _selection(evaluate, order, found, before)
+        return _selection(evaluate, order, found, before, free)
 
 
 def _left_out(groups: Iterable[Group]) -> Iterator[str]:
@@ -174,7 +188,11 @@ def _choice(groups: Sequence[Group], sections: dict[str, str]) -> Choice | None:
 
 
 def _selection(
-    evaluate: Evaluator, order: Sequence[tuple[int, int]], found: Found, before: dict[str, str]
+    evaluate: Evaluator,
+    order: Sequence[tuple[int, int]],
+    found: Found,
+    before: dict[str, str],
+    free: Found | None,
 ) -> Selection:
     building, choice = evaluate.analysis.building, found.best.choice
     limits = [_held_by(evaluate, order, choice, number) for number in range(len(choice))]
@@ -197,6 +215,9 @@ def _selection(
         evaluations=evaluate.count,
         certified=found.certified,
         starts=found.starts,
+        splices=evaluate.wishes.splices(choice),
+        doublers=found.best.doublers,
+        free=free,
         not_met=tuple(rule for rule in design.criteria if rule.passed is False),
     )
 
@@ -242,6 +263,8 @@ def _held_by(evaluate: Evaluator, order: Sequence[tuple[int, int]], choice: Choi
     for upper, below in order:
         if below == number and evaluate.groups[upper].area[choice[upper]] > group.area[lower[number]]:
             return f"{evaluate.groups[upper].name} above it, which must not be larger"
+    if not evaluate.wishes.met(lower):
+        return f"a wish: {group.sections[lower[number]]} alone is not allowed"
     broken = _broken(evaluate, evaluate.design(lower))
     return broken[0] if broken else "nothing alone: its list goes on below, but a lighter design was not found"
 

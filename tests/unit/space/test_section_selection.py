@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
@@ -21,6 +22,8 @@ from edesign.one_thread import one_thread
 from edesign.project.reading.problems import FileProblems
 from edesign.report.building.basis_tables import selection_table
 from edesign.report.building.results import BuildingResults
+from edesign.report.building.selection_tables import selection_tables
+from edesign.report.tables.number import significant
 from edesign.space.check import check_building
 from edesign.space.checks.rules import brace_slenderness
 from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign, elastic_design
@@ -28,6 +31,7 @@ from edesign.space.selection.evaluate import Evaluator, utilisations
 from edesign.space.selection.groups import groups_of
 from edesign.space.selection.search import Search, column_order
 from edesign.space.selection.select import Selection, _left_out, governing_check, select_sections, with_sections
+from edesign.space.selection.wishes import nominal_depth
 
 TEXT = FRAMES.format(
     bays=2,
@@ -139,6 +143,90 @@ def test_with_prices_the_choice_is_the_cheapest_of_enumeration(seed: int, cheap:
         found, best, lightest = select_sections(priced), enumerated(priced), select_sections(file)
     assert best is not None and found.cost == pytest.approx(best.cost, rel=1e-9)
     assert found.mass > 1.005 * lightest.mass
+
+
+COLUMNS = "columns: [HEA260, HEB260, HEM260, HEA300, HEB300, HEM300, HEB340]"
+WISHES = {
+    "same_depth: columns": "one nominal depth of columns in a line",
+    "same_depth: beams": "one nominal depth of beams in a line",
+    "most_sections: {columns: 1, beams: 2}": "at most 1 section of columns, at most 2 sections of beams",
+    "most_sections: {all: 4}": "at most 4 sections of all members",
+    "same_depth: [columns, beams]\n    most_sections: {beams: 2}": "at most 2 sections of beams",
+}
+
+
+def fabricated(seed: int, wish: str) -> str:
+    """A random frame of columns in three widths and beams of a group a bay, with a wish."""
+    text = re.sub(r"columns: \[HE.*\]", COLUMNS, random_frames(seed, 4, 4).text)
+    text = re.sub(r"count: [12], ", "count: 2, ", text)
+    text = re.sub(r"along: x, floors: [0-9-]+, section: IPE360", "along: x, bays: 1, section: IPE360", text)
+    text = re.sub(r"along: x, floors: [0-9-]+, section: IPE330", "along: x, bays: 2, section: IPE330", text)
+    return text.replace("    lists:", f"    {wish}\n    lists:")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", [2, 3, 5, 8])
+@pytest.mark.parametrize("wish", WISHES)
+def test_wishes_of_a_fabricator_are_granted_at_the_least_mass(seed: int, wish: str) -> None:
+    """Enumeration of all choices that the wish allows; and what it costs beside the choice of a file without it."""
+    with one_thread():
+        file = building(fabricated(seed, wish))
+        best = enumerated(file)
+        if best is None:  # of seed 8 alone
+            with pytest.raises(InputError, match="E-SPACE-07"):
+                select_sections(file)
+            return
+        found = select_sections(file)
+        assert found.certified and found.mass == pytest.approx(best.mass, rel=1e-9)
+        (free,) = [enumerated(building(file.text.replace(wish, "most_sections: {columns: 99}")))]
+    assert found.free is not None and free is not None and found.free.best.mass == pytest.approx(free.mass, rel=1e-9)
+    (told,) = [note for note in selection_tables(found)[-1].notes if note.startswith("wishes: ")]
+    assert WISHES[wish] in told and f"they cost {significant((best.mass - free.mass) / 1e3)} t of steel" in told
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", [2, 3, 5])
+@pytest.mark.parametrize(("splice", "doubler"), [(900, 1), (1, 700), (400, 400)])
+def test_splices_and_doublers_count_in_the_price(seed: int, splice: int, doubler: int) -> None:
+    """Enumeration with the price of each; a doubler is known after the analysis alone."""
+    each = f"objective: cost\n    prices: {{default: 2}}\n    prices_each: {{splice: {splice}, doubler: {doubler}}}"
+    with one_thread():
+        file = building(fabricated(seed, each))
+        best, found = enumerated(file), select_sections(file)
+    assert best is not None and found.cost == pytest.approx(best.cost, rel=1e-9) and found.certified
+    columns = [member for member in found.design.frame.members if member.kind == "column"]
+    section = {member.end: member.section for member in columns}
+    spliced = sum(section.get(member.start, member.section) != member.section for member in columns)
+    plates = sum(panel.doubler > 0.0 for panel in found.design.panels)
+    assert (found.splices, found.doublers) == (spliced, plates)
+    assert found.cost == pytest.approx(2.0 * found.mass + splice * spliced + doubler * plates, rel=1e-9)
+
+
+def test_what_binds_groups_together() -> None:
+    """Columns above each other, beams that meet; sections at least as large that the wishes allow."""
+    file = building(fabricated(2, "same_depth: [columns, beams]\n    most_sections: {beams: 2}"))
+    analysis = ElasticAnalysis(file)
+    evaluate = Evaluator(analysis, groups_of(analysis))
+    names, wishes = [group.name for group in evaluate.groups], evaluate.wishes
+    assert [{names[group] for group in line} for line in wishes.lines] == [{"C1", "C2"}, {"B1", "B2"}]
+    assert [nominal_depth(name) for name in ("HEB300", "IPE 330", "W18X50", "SHS150x8")] == [300, 330, 18, 150]
+    numbers = [0] * len(names)
+    numbers[names.index("C1")] = len(evaluate.groups[names.index("C1")].sections) - 1
+    numbers[names.index("B2")] = 2
+    raised = wishes.raised(numbers)
+    assert raised is not None and wishes.met(raised) and not wishes.met(numbers)
+    assert all(
+        group.area[now] >= group.area[before]
+        for group, now, before in zip(evaluate.groups, raised, numbers, strict=True)
+    )
+
+
+def test_what_no_list_can_grant_is_refused() -> None:
+    text = fabricated(2, "same_depth: columns").replace("groups: {BY", "groups: {C1: [HEB300], C2: [HEB260], BY")
+    with pytest.raises(InputError, match=r"design.select: no sections .*`same_depth`.*E-SPACE-07"):
+        select_sections(building(text))
+    with pytest.raises(InputError, match=r"prices_each.splice: prices count where the objective is .cost."):
+        building(fabricated(2, "prices_each: {splice: 3}"))
 
 
 @pytest.mark.parametrize(
