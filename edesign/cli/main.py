@@ -145,7 +145,7 @@ class _Commands(LazyGroup):
 app = typer.Typer(
     name="edesign",
     cls=_Commands,
-    help="Seismic design and evaluation of steel moment frames.",
+    help="Seismic design and evaluation of steel frames and buildings with braces and dampers, and tests of dampers.",
     epilog=EPILOG,
     no_args_is_help=True,
     pretty_exceptions_enable=False,

@@ -31,6 +31,7 @@ def match(
     project: action.ProjectFile = None,
     level: action.LevelName = None,
     code: action.Code = None,
+    values: action.Values = None,
     country: action.Country = None,
     zone: action.Zone = None,
     a_gr: action.GroundAcceleration = None,
@@ -92,7 +93,7 @@ def match(
     loaded = action.load(project)
     options = {"code": code, "country": country, "zone": zone, "a_gR": a_gr, "ground": ground}
     options |= {"spectrum": spectrum_type, "damping": damping, "gamma": gamma}
-    hazard, level = action.hazard(loaded, options, level)
+    hazard, level = action.hazard(loaded, options, level, values)
     target = elastic_spectrum(hazard, level)
     band = (action.quantity(periods[0], TIME, "--periods"), action.quantity(periods[1], TIME, "--periods"))
     settings = MatchOptions(method=method, periods=band, scale_bounds=scale_bounds, damping=hazard.damping)  # type: ignore[arg-type]

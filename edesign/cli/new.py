@@ -39,6 +39,7 @@ def new(
         str | None, typer.Option("--title", help="Of the project; the folder's name if not said.", show_default=False)
     ] = None,
     list_them: Annotated[bool, typer.Option("--list", "-l", help="Print the templates and leave.")] = False,
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Do not print what comes next.")] = False,
 ) -> None:
     """Make a folder with a small project that runs as it is: of a frame, or by another --template."""
     if list_them:
@@ -47,6 +48,8 @@ def new(
     if folder is None:
         raise typer.BadParameter("name the folder to make; --list prints the templates", param_hint="'FOLDER'")
     path = chosen.new_project(folder, title, template)
+    if quiet:
+        return
     print(f"{path} written. Next:")
     for command in chosen.template(template).commands(folder):
         print(f"  {command}")

@@ -17,7 +17,7 @@ from edesign.cli.shared.streams import progress_line
 from edesign.cli.shared.workers import DEFAULT, Workers
 from edesign.errors import AnalysisError, InputError
 from edesign.file_kinds.kinds import BUILDING, STUDY, SUBSTRUCTURE_TESTS, FileKind
-from edesign.file_kinds.recognise import kind_of, other_kind
+from edesign.file_kinds.recognise import kind_of
 from edesign.frame.building_file import load_building
 from edesign.frame.project_file import load_project, load_study
 from edesign.ground_motion.project_records import with_folders
@@ -32,7 +32,9 @@ from edesign.study.run.run import run_project, run_study
 
 
 def run(
-    project: Annotated[Path, typer.Argument(help="The project, study or building file.", show_default=False)],
+    project: Annotated[
+        Path, typer.Argument(help="The project, study or building file, or substructure tests.", show_default=False)
+    ],
     archive: Annotated[
         Path | None, typer.Option("--archive", "-a", help="Where to write; by default what the file says.")
     ] = None,
@@ -73,9 +75,17 @@ def run(
     A run that was interrupted goes on where it stopped when it is called again.
     """
     kind = kind_of(project)
-    if kind == SUBSTRUCTURE_TESTS:
-        raise InputError(other_kind(project, kind, "project, study or building file"))
     end = _End(report, whole, quiet)
+    if kind == SUBSTRUCTURE_TESTS:
+        if only or folder or scheduler or fresh:
+            raise InputError(
+                f"{project}: --only, --folder, --scheduler and --fresh are for analyses, not for substructure tests "
+                "[E-CLI-01]"
+            )
+        from edesign.cli.rts.run import run as run_rts  # loads what no other run needs
+
+        run_rts(project, archive, None, overwrite, check, quiet, report)
+        return
     if kind == BUILDING and not load_building(project).analyses:
         if only or folder or scheduler:
             raise InputError(

@@ -29,6 +29,7 @@ def spectrum(
     project: action.ProjectFile = None,
     level: action.LevelName = None,
     code: action.Code = None,
+    values: action.Values = None,
     country: action.Country = None,
     zone: action.Zone = None,
     a_gr: action.GroundAcceleration = None,
@@ -70,7 +71,7 @@ def spectrum(
     loaded = action.load(project)
     options = {"code": code, "country": country, "zone": zone, "a_gR": a_gr, "ground": ground}
     options |= {"spectrum": spectrum_type, "damping": damping, "gamma": gamma}
-    hazard, level = action.hazard(loaded, options, level)
+    hazard, level = action.hazard(loaded, options, level, values)
     first, last = (action.quantity(text, TIME, "--periods") for text in periods)
     if first >= last:
         raise InputError(f"--periods: the shorter period stands first, not {first:g} s before {last:g} s [E-CLI-04]")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -20,7 +21,7 @@ from edesign.input_files import spare_inputs
 from edesign.optional_stages import optional
 from edesign.project.reading.file_bytes import is_there
 from edesign.report.damper.measured_figures import draw_tests
-from edesign.report.damper.measured_tables import properties_table
+from edesign.report.damper.measured_tables import properties_data, properties_table
 from edesign.report.drawing.style import check_format
 from edesign.report.tables.text import print_tables
 from edesign.study.run.progress import Listener, Progress
@@ -35,6 +36,7 @@ def test(
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace a campaign that is there.")] = False,
     figures: Annotated[Path | None, typer.Option("--figures", metavar="DIR", help="Draw tests and properties.")] = None,
     figure_format: Annotated[str, typer.Option("--format", help="Of the figures: svg, png, pdf.")] = "svg",
+    as_json: Annotated[bool, typer.Option("--json", help="Print JSON in SI units instead of the table.")] = False,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no table.")] = False,
 ) -> None:
     """Run tests of a damper law as a laboratory would run them, and write them as a campaign.
@@ -55,7 +57,15 @@ def test(
     with listener(quiet) as listen:
         run = run_programme(plan, folder, _reporter(listen))
     kept = f"the tests are in {run.campaign.path}"
-    if not quiet:
+    if as_json:
+        with optional("the properties", kept):
+            data = {
+                "campaign": str(run.campaign.path),
+                **properties_data(run.properties, {}),
+                "notes": list(run.warnings),
+            }
+            print(json.dumps(data, indent=2, allow_nan=False, ensure_ascii=False))
+    elif not quiet:
         title = f"{len(run.campaign.tests)} tests of {run.campaign.specimen_name}"
         with optional("the table", kept):
             print_tables([properties_table(title, run.properties, [f"note: {text}" for text in run.warnings])])

@@ -10,7 +10,8 @@ import typer
 from edesign.cli.rts.tests_file import load_tests
 from edesign.cli.shared.streams import progress_line
 from edesign.errors import AnalysisError
-from edesign.optional_stages import optional
+from edesign.optional_stages import earlier, optional
+from edesign.report.archive.document import default_page_path, write_page
 from edesign.report.archive.tables import overview
 from edesign.report.tables.text import print_tables
 from edesign.report.tables.visible import visible_line
@@ -30,6 +31,9 @@ def run(
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace the archive of something else.")] = False,
     check: Annotated[bool, typer.Option("--check", help="Exit with 3 if a response is too wrong.")] = False,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")] = False,
+    report: Annotated[
+        bool, typer.Option("--report", help="Write the report too, one HTML page beside the archive.")
+    ] = False,
 ) -> None:
     """Run the virtual tests of a file with all its compensators, archive them, and print a summary."""
     tests = load_tests(file)
@@ -39,10 +43,16 @@ def run(
             progress_line(f"{visible_line(line)} ...")
 
     path, found, others = run_tests(tests, archive, overwrite, progress, csv)
+    page = None
+    if report:
+        with optional("the report", f"the results are in {path}{earlier(default_page_path(path))}"):
+            page = write_page(path)
     if not quiet:
         with optional("the tables", f"the results are in {path}"):
             print_tables(overview(path))
         print(f"archive: {path}")
+        if page is not None:
+            print(f"report: {page}")
     bad = [
         f"{one.test}, {one.compensator}"
         for results in found

@@ -64,7 +64,7 @@ COMMANDS: dict[str, tuple[list[str], tuple[str, ...]]] = {
     "compare": (["compare", "FILE", "reference"], ("archive",)),
     "compare with": (["compare", "archive", "FILE"], ("reference",)),
     "check": (["check", "FILE"], (*TEXTS, "archive")),
-    "run": (["run", "FILE"], ("project", "study", "building")),
+    "run": (["run", "FILE"], ("project", "study", "building", "tests")),
     "design": (["design", "FILE"], ("building",)),
     "extract": (["extract", "FILE", "--frame", "A", "-o", "made.yaml"], ("building",)),
     "translate": (["translate", "FILE", "made.py"], ("project", "building")),
