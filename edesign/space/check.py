@@ -25,6 +25,7 @@ from edesign.space.structure.frame import AXES, SpaceFrame
 from edesign.space.structure.geometry import space_frame
 from edesign.space.structure.load_cases import on_nodes
 from edesign.space.structure.masses import floor_masses
+from edesign.space.structure.secondary_beams import secondary_beams
 from edesign.space.structure.steel_by_thickness import with_steel_by_thickness
 
 R = TypeVar("R")
@@ -60,6 +61,7 @@ def check_building(building: Building) -> dict[str, str]:
         "plan": ", ".join(_bays(building.widths(along), along) for along in DIRECTIONS),
         "storeys": f"{building.n_storeys}, {building.levels[-1]:g} m high; {len(frame.node_names)} nodes",
         "members": _members(frame),
+        **({"secondary": secondary} if (secondary := _secondary(made)) else {}),
         "loads": _loads(frame),
         "masses": _masses(frame) if building.masses is not None else "none",
         **({"warnings": "\n".join(warnings)} if warnings else {}),
@@ -87,6 +89,19 @@ def _members(frame: SpaceFrame) -> str:
         f"{group}: {count} {kind}{'s' * (count > 1)} {section} {material}"
         for (group, kind, section, material), count in groups.items()
     )
+
+
+def _secondary(building: Building) -> str:
+    """Number, section, length and mass of the secondary beams that have a section, a line each; "" without any."""
+    lines = []
+    for beam in secondary_beams(building):
+        length = beam.number * beam.length
+        mass = length * section_of(building, beam.section).mass / 1e3
+        lines.append(
+            f"{beam.number} beams {beam.section} {beam.material} of {beam.length:.4g} m every {beam.strip:.4g} m: "
+            f"{mass:.2f} t"
+        )
+    return "\n".join(lines)
 
 
 def _loads(frame: SpaceFrame) -> str:

@@ -65,6 +65,7 @@ from edesign.space.checks.rules import (
     modal_criteria,
     storey_criteria,
 )
+from edesign.space.checks.secondary_beams import secondary_criteria
 from edesign.space.checks.web_panels import Panel, panel_criteria, web_panels
 from edesign.space.file_places import keys_of_member, telling_member, telling_place
 from edesign.space.structure.design_block import MOMENT_FRAME, Regular, design_of, rules_of, system_of
@@ -428,6 +429,7 @@ class ElasticAnalysis:
                 criteria += bracing_criteria(building, frame, Omega[axis])
         names = [member.name for member in frame.members]
         criteria += deflection_criteria(deflections, design.serviceability.beams, names)
+        criteria += secondary_criteria(building, self.fundamental, self._characteristic)
         lateral = lateral_cases(frame, static, self._characteristic)
         criteria += sway_limits(lateral, design.serviceability.sway, self._characteristic)
         return ElasticDesign(

@@ -51,7 +51,8 @@ sections:
     shear_area: 20 cm^2, weak_shear_area: 25 cm^2}
 loads:
   areas:
-    - {floors: 1-2, bays: {x: 1-2, y: all}, G: 4 kN/m^2, Q: 2 kN/m^2, category: B, spans: x, secondary_beams: 0}
+    - {floors: 1-2, bays: {x: 1-2, y: all}, G: 4 kN/m^2, Q: 2 kN/m^2, category: B, spans: x, secondary_beams: 2,
+       secondary_section: IPE220, secondary_material: S355}
     - {floors: 3, bays: all, G: 3 kN/m^2, Q: 0.8 kN/m^2, category: snow, spans: x}
   perimeter: [{floors: 1-2, G: 1.2 kN/m, Q: 0.1 kN/m, category: B}]
   beams:

@@ -11,14 +11,16 @@ from edesign.project.building.loads import Areas, BeamLoad, Combination, NodeLoa
 from edesign.project.building.names import BeamPlace, node_name
 from edesign.project.building.own_cases import CaseArea
 from edesign.project.building.places import Panels, panels_in
-from edesign.project.reading.problems import Keys, Problems, listed
+from edesign.project.frame.sections import BoxSection, Catalogue, PlateSection, no_section
+from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
 
 
-def check_loads(building: Building, problems: Problems) -> None:
+def check_loads(building: Building, problems: Problems, profiles: Catalogue | None = None) -> None:
     """Check loads and masses.
 
     Args:
         building: its members are right.
+        profiles: names of the catalogue; None leaves section names unchecked.
     """
     check = Selections(building, problems)
     loads = building.loads
@@ -26,6 +28,7 @@ def check_loads(building: Building, problems: Problems) -> None:
         keys: Keys = ("loads", "areas", i)
         _variable(problems, keys, area.Q, area.category)
         _placed_area(building, problems, check, keys, area)
+        _secondary(building, problems, keys, area, profiles)
     for i, perimeter in enumerate(loads.perimeter):
         keys = ("loads", "perimeter", i)
         _variable(problems, keys, perimeter.Q, perimeter.category)
@@ -94,6 +97,28 @@ def _placed_area(building: Building, problems: Problems, check: Selections, keys
         )
     if check.floors(keys, area.floors) and check.bays((*keys, "bays"), area.bays):
         _area(building, problems, keys, area)
+
+
+def _secondary(building: Building, problems: Problems, keys: Keys, area: Areas, profiles: Catalogue | None) -> None:
+    """Secondary beams have a section and a steel together, and there are some."""
+    name, steel = area.secondary_section, area.secondary_material
+    if name is None and steel is None:
+        return
+    if name is None or steel is None:
+        missing = "secondary_section" if name is None else "secondary_material"
+        message = "this key is missing; secondary beams have a section and a material together [E-KEY-02]"
+        problems.under(keys, missing, message)
+        return
+    if not area.secondary_beams:
+        problems.at_key((*keys, "secondary_section"), "there are none: give their number, `secondary_beams` [E-KEY-02]")
+    own = building.sections.get(name)
+    if own is None and profiles is not None and profiles.canonical(name) is None:
+        problems.at_value((*keys, "secondary_section"), no_section(name, building.sections, profiles))
+    elif own is not None and not isinstance(own, (PlateSection, BoxSection)):
+        message = f"`{name}` has no class and no resistance; give a profile, or plates [E-FRAME-02]"
+        problems.at_value((*keys, "secondary_section"), message)
+    if steel not in building.materials:
+        problems.at_value((*keys, "secondary_material"), unknown_name("material", steel, building.materials))
 
 
 def _area(building: Building, problems: Problems, keys: Keys, area: Areas | CaseArea) -> None:

@@ -75,7 +75,7 @@ def parse_building(
         check_layout(building, problems, profiles)
         check_foundations(building, problems, building.supports, ("supports",))
         if not problems.found:
-            check_loads(building, problems)
+            check_loads(building, problems, profiles)
             check_given_masses(building, problems)
             check_design(building, problems, files)
             check_dampers(building, problems, profiles)
@@ -102,9 +102,16 @@ def _completed(building: Building, profiles: Catalogue | None) -> Building:
         of = bar if isinstance(run, BraceRun) else section
         return run.model_copy(update={"section": of(run.section), "group": run.group or group})
 
-    dampers = building.dampers
+    dampers, loads = building.dampers, building.loads
+    areas = tuple(
+        area
+        if area.secondary_section is None
+        else area.model_copy(update={"secondary_section": section(area.secondary_section)})
+        for area in loads.areas
+    )
     return building.model_copy(
         update={
+            "loads": loads.model_copy(update={"areas": areas}),
             "dampers": dampers if dampers is None else dampers.with_sections(section),
             "columns": tuple(named(run, f"C{i}") for i, run in enumerate(building.columns, 1)),
             "beams": tuple(named(run, f"B{run.along.upper()}{i}") for i, run in enumerate(building.beams, 1)),

@@ -36,6 +36,8 @@ class Areas(Model):
         category: category of the use (EN 1991-1-1, 6.3), needed where there is Q.
         spans: the way that the floor spans.
         secondary_beams: beams across the span in each bay.
+        secondary_section: section of these beams, which then weigh and are checked; without the key they do neither.
+        secondary_material: one of `materials`, with `secondary_section`.
     """
 
     floors: Numbers = ALL_NUMBERS
@@ -45,6 +47,8 @@ class Areas(Model):
     category: Category | None = None
     spans: Span
     secondary_beams: Annotated[int, Field(ge=0, le=20)] = 0
+    secondary_section: str | None = None
+    secondary_material: str | None = None
 
 
 class PerimeterLoad(Model):

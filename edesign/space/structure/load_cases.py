@@ -17,6 +17,7 @@ from edesign.project.building.places import panels_in
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.space.structure.area_loads import BeamShare, bay_shares, part_share
 from edesign.space.structure.frame import LoadCase, SpaceFrame
+from edesign.space.structure.secondary_beams import own_weight
 
 PERMANENT, SELF_WEIGHT = "G", "self_weight"
 PATTERNED = tuple("ABCDEFG")
@@ -57,6 +58,8 @@ def load_cases(building: Building, frame: SpaceFrame, pattern: bool = False) -> 
     for load in building.loads.items:
         if load.G != 0.0:
             _add(building, sums[PERMANENT], load, load.G)
+        if isinstance(load, Areas) and (weight := own_weight(building, load)):
+            _add_secondary(building, sums[PERMANENT], load, weight)
         if pattern and load.Q != 0.0 and isinstance(load, Areas) and load.category in PATTERNED:
             for half in (1, 2):
                 case = sums.setdefault(f"{_live_case(load.category)}{half}", LoadSum(load.category))
@@ -175,6 +178,19 @@ def add_area(
             shares = bay_shares(value, width_x, width_y, load.spans, load.secondary_beams)
             for place in edges(panel, floor):
                 case.add(place, shares.along_x if place.along == "x" else shares.along_y)
+
+
+def _add_secondary(building: Building, case: LoadSum, load: Areas, weight: float) -> None:
+    """Add the weight of secondary beams, N/m, to the beams that they rest on."""
+    widths_x, widths_y = building.widths("x"), building.widths("y")
+    parts = load.secondary_beams + 1
+    for floor in load.floors.numbers(1, building.n_storeys):
+        for i, j in sorted(panels_in(load.bays, len(widths_x), len(widths_y)) & building.layout.floors[floor]):
+            length = widths_y[j - 1] if load.spans == "x" else widths_x[i - 1]
+            share = BeamShare(points=tuple((k / parts, 0.5 * weight * length) for k in range(1, parts)))
+            for place in edges((i, j), floor):
+                if place.along == load.spans:
+                    case.add(place, share)
 
 
 def case_of(name: str, loads: LoadSum, frame: SpaceFrame) -> LoadCase:
