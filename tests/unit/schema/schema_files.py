@@ -17,8 +17,15 @@ from edesign.schema.build import combined_schema, schema_of
 from edesign.schema.kinds import KINDS, model_of
 
 ROOT = Path(__file__).parents[3]
-WITHOUT_KIND = ("templates.yaml", "parameter_sets.yaml", "recommended.yaml", "prose.yaml", "strd.yaml")
-"""Data of the package and its tests that no user writes; the recommended values have no zones."""
+WITHOUT_KIND = (
+    "templates.yaml",
+    "parameter_sets.yaml",
+    "recommended.yaml",
+    "parameters.yaml",
+    "prose.yaml",
+    "strd.yaml",
+)
+"""Data of the package and its tests that no user writes; the recommended values and those of NTC 2018 have no zones."""
 
 EXAMPLES = {
     "campaign": """\
