@@ -200,6 +200,11 @@ def _of_member(archive: Archive, name: str, analysis: str | None) -> tuple[list[
     assert base is not None, "analyses are of a file"
     worst = max((row.of for row in rows), key=lambda of: of.largest)
     group = groups[worst.history]
+    if not math.isfinite(worst.N):
+        raise InputError(
+            f"{archive.path}: the archive was made before forces were kept with the largest use; `edesign run` makes "
+            "it anew [E-ARCH-08]"
+        )
     variants = VariantMembers(base, archived_study(archive))
     file = variants.project(str(group.attributes.get("variant") or ""))
     return rows, follow(file, group, worst.history, name)

@@ -15,7 +15,7 @@ from edesign.study.results.braces import brace_quantities, fracture_warnings
 from edesign.study.results.coordinates import bending_members, coordinates
 from edesign.study.results.dampers import damper_quantities
 from edesign.study.results.floors import base_displacement, diaphragm_motions, floor_displacements, floor_rotations
-from edesign.study.results.member_use import run_watch
+from edesign.study.results.member_use import gravity_watch
 from edesign.study.results.members import axial_forces, leaning_column_forces, member_forces, plastic_rotations
 from edesign.study.results.recording import Quantity, channels, coordinate, store, store_run
 from edesign.study.results.springs import spring_quantities
@@ -47,7 +47,7 @@ def run_gravity(project: AnalysisFile, spec: GravityAnalysis) -> Group:
     coordinate(group, "node", list(frame.nodes), "", "name of the node")
     coordinate(group, "support", list(frame.supports), "", "name of the supported node")
     drifts = line_drifts(frame)
-    watch = run_watch(project, frame, supports=False)
+    watch = gravity_watch(project, frame)
     recorded = watch.watching(
         [
             floor_displacements(frame, history=False),

@@ -27,6 +27,8 @@ from edesign.study.results.watch import Observer, StepWatch
 _COMPRESSION = np.array([1.0, -1.0])  # forces on both ends act inwards
 _INSIDE = -_COMPRESSION
 """Internal forces over those on the ends: positive on the face that looks to the end of the member."""
+_WHOLE = 1.0 - 1e-9
+"""Load factor of gravity analyses from which all loads act, but for rounding."""
 _PARTS = (("axial_force", "N", "N"), ("shear_force", "N", "V"), ("bending_moment", "N*m", "M"))
 
 
@@ -243,18 +245,26 @@ def _per_compression(member: CheckedMember) -> float:
     return 1.0 / min(constants.N_b_y_Rd, constants.N_b_z_Rd)
 
 
-def run_watch(file: AnalysisFile, frame: FrameModel, supports: bool = True) -> StepWatch:
-    """Return what watches a run: the use of columns, beams and braces, and the reactions of supports.
-
-    Args:
-        supports: whether reactions are watched.
+def gravity_watch(file: AnalysisFile, frame: FrameModel) -> StepWatch:
+    """Return what watches a gravity analysis: the use of members under all of the loads, those inside them included.
 
     Raises:
         InputError: as `checked_members`.
     """
+    return StepWatch(_uses(file, frame), start=_WHOLE)
+
+
+def run_watch(file: AnalysisFile, frame: FrameModel) -> StepWatch:
+    """Return what watches a run under gravity: the use of columns, beams and braces, and the reactions of supports.
+
+    Raises:
+        InputError: as `checked_members`.
+    """
+    return StepWatch([*_uses(file, frame), SupportExtremes(frame)])
+
+
+def _uses(file: AnalysisFile, frame: FrameModel) -> list[Observer]:
     found: list[Observer] = [MemberUse(file, frame)] if bending_members(frame) else []
     if frame.of_kind("brace") and getattr(file, "design", None) is not None:
         found.append(BraceUse(file, frame))
-    if supports:
-        found.append(SupportExtremes(frame))
-    return StepWatch(found)
+    return found

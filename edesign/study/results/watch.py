@@ -44,10 +44,11 @@ class StepWatch:
 
     Args:
         observers: of the run; there may be none.
+        start: abscissa before which steps are not shown.
     """
 
-    def __init__(self, observers: Sequence[Observer]) -> None:
-        self._observers = observers
+    def __init__(self, observers: Sequence[Observer], start: float = -np.inf) -> None:
+        self._observers, self._start = observers, start
         self._seen = False
         self._quantities: list[tuple[Quantity, list[int], slice]] = []
 
@@ -78,6 +79,11 @@ class StepWatch:
         """
         if not np.isfinite(values[-1]).all():
             return  # the run ends here, and its extremes tell
+        if abscissas[0] < self._start:
+            shown = abscissas >= self._start
+            abscissas, values = abscissas[shown], values[shown]
+            if not abscissas.size:
+                return
         self._seen = True
         found: dict[str, np.ndarray] = {}
         for one, cells, place in self._quantities:

@@ -1,0 +1,72 @@
+"""A member under the forces of analyses, followed by hand from its archive."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from edesign.archive.reader import open_archive
+from edesign.errors import InputError
+from edesign.project import load_project
+from edesign.report.archive.loaded_member import loaded_member_data, loaded_member_tables
+from edesign.report.archive.tables import overview
+from edesign.study.run.run import run_project
+
+FRAME = """\
+edesign: 1
+title: A braced bay
+frame:
+  bays: [6 m]
+  storeys: [4 m]
+  columns: [{storeys: all, section: HEB200, material: S275}]
+  beams: [{floors: all, section: IPE300, material: S275}]
+  braces: [{bays: 1, storeys: all, kind: rising, section: SHS80x5, material: S275}]
+materials: {S275: {law: bilinear, E: 210 GPa, fy: 275 MPa, hardening: 0.01}}
+loads: {beams: [{floors: all, G: 30 kN/m, Q: 0 kN/m}], gravity: {G: 1, Q: 0.3}}
+masses: {directions: horizontal, given: [{lines: all, floors: all, mass: 20 t}]}
+design: {}
+analyses:
+  - {name: gravity, kind: gravity}
+  - {name: push, kind: pushover, pattern: uniform, roof_drift: 0.2 %}
+"""
+
+
+@pytest.fixture(scope="module")
+def archive(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("loaded")
+    (folder / "frame.yaml").write_text(FRAME)
+    run_project(load_project(folder / "frame.yaml"))
+    return folder / "frame.h5"
+
+
+def test_a_calculation_leads_to_the_archived_use(archive: Path) -> None:
+    with open_archive(archive) as opened:
+        for name in ("C_A_1", "B_1_1", "D_1_1_r"):
+            uses, forces, worked = loaded_member_tables(opened, name)
+            assert [row[0] for row in uses.texts] == ["gravity", "push"]
+            assert len(forces.rows) == 7 and worked.rows and worked.texts[-1][0] == "utilisation"
+            largest = max(float(value) for value in uses.column("largest"))  # type: ignore[arg-type]
+            data = loaded_member_data(opened, name, "gravity")
+            assert data["analysis"] == "gravity" and float(str(data["utilisation"])) <= largest
+            last = data["calculation"][-1]  # type: ignore[index]
+            assert last["value"] == pytest.approx(data["utilisation"], rel=1e-6)
+
+
+def test_the_beam_of_a_gravity_analysis_by_hand(archive: Path) -> None:
+    """Moment at the middle: q L2/8 less those at both ends; the forces stand along the beam."""
+    with open_archive(archive) as opened:
+        forces = loaded_member_data(opened, "B_1_1", "gravity")["forces"]
+    assert isinstance(forces, dict)
+    M = forces["M_y"]
+    assert M[3] == pytest.approx(30e3 * 36.0 / 8.0 + 0.5 * (M[0] + M[-1]), rel=1e-9)
+    assert forces["V_z"][-1] - forces["V_z"][0] == pytest.approx(30e3 * 6.0, rel=1e-6)  # on faces to the end
+
+
+def test_names_that_are_not_there(archive: Path) -> None:
+    with open_archive(archive) as opened, pytest.raises(InputError, match=r"no member is named 'C_A_2'; did you mean"):
+        loaded_member_tables(opened, "C_A_2")
+
+
+def test_projects_without_histories_have_no_tables_of_uses(archive: Path) -> None:
+    assert not [table for table in overview(archive) if table.name in ("member_use", "support_forces")]
