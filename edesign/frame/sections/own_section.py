@@ -29,19 +29,18 @@ def section_of(file: Building | Project, name: str) -> SteelSection:
     """Return a section of a building or frame by its name: an own one of the file, of the catalogue, or a hollow one.
 
     Args:
-        file: from `load_building` or `load_project`.
+        file: from `load_building` or `load_project`; own sections by area alone are of buildings.
 
     Raises:
         InputError: there is no such section.
     """
     own = file.sections.get(name)
+    assert not isinstance(own, ElasticSection), "sections of plane frames by their area have no shape"
     return steel_section(name) if own is None else own_section(name, own)
 
 
 @cache
-def own_section(
-    name: str, own: PlateSection | BoxSection | RectangleSection | SpaceElasticSection | ElasticSection
-) -> SteelSection:
+def own_section(name: str, own: PlateSection | BoxSection | RectangleSection | SpaceElasticSection) -> SteelSection:
     """Return an own section with its properties: plates are a welded I section or box, others have no class.
 
     The shear centre of a stack of rectangles that is not symmetric is taken at its centroid.
@@ -58,8 +57,6 @@ def own_section(
         return _box(name, own)
     if isinstance(own, RectangleSection):
         return _stack(name, own)
-    if isinstance(own, ElasticSection):
-        return _other(name, A=own.area, A_y=0.0, A_z=0.0, I_t=0.0, I_y=own.inertia or 0.0, I_z=0.0)
     return _other(
         name,
         A=own.area,

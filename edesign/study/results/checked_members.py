@@ -18,6 +18,7 @@ from edesign.project.building.steel import Steel
 from edesign.project.frame.materials import ElasticMaterial
 from edesign.project.frame.member_design import BucklingLength, FrameDesign, LengthFactors
 from edesign.project.frame.members import BraceRun
+from edesign.project.frame.sections import ElasticSection, RectangleSection
 from edesign.project.notation.names import member_kind
 from edesign.project.project import Project
 from edesign.space.analysis.response import STATIONS
@@ -33,6 +34,8 @@ from edesign.space.structure.design_block import frame_design_of
 from edesign.space.structure.geometry import space_frame
 from edesign.space.structure.steel_by_thickness import with_steel_by_thickness, yield_by_thickness
 
+_WITHOUT_CLASS = (RectangleSection, ElasticSection)
+"""Own sections that EN 1993-1-1 does not classify."""
 SHEARED = 2.0
 """What one of a pair of braces that do not count in compression carries in truth, over the force of its model."""
 
@@ -125,10 +128,11 @@ def _in_plane(file: AnalysisFile, names: Sequence[str]) -> list[CheckedMember | 
     found: list[CheckedMember | None] = []
     for name in names:
         run, kind = frame.members[name], member_kind(name)
-        material, section = file.materials[run.material], section_of(file, run.section)
-        if not section.has_class or isinstance(material, ElasticMaterial):
+        material = file.materials[run.material]
+        if isinstance(file.sections.get(run.section), _WITHOUT_CLASS) or isinstance(material, ElasticMaterial):
             found.append(None)
             continue
+        section = section_of(file, run.section)
         fy, standard = material.fy, design.members.yield_by_thickness if design is not None else None
         if standard is not None:
             fy = yield_by_thickness(file, run.section, run.material, fy, standard)[0]
