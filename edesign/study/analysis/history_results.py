@@ -53,6 +53,7 @@ from edesign.study.results.storeys import (
 from edesign.study.results.supports import base_shear, isolator_axial_forces, isolator_displacements, support_reactions
 from edesign.study.results.validity import judged, rotation_limits, rotation_names
 from edesign.study.results.warnings import store_warnings
+from edesign.study.results.watch import StepWatch
 
 MOVING = ("node_displacement", "column_plastic_rotation", "beam_plastic_rotation")  # what `motion` keeps
 
@@ -65,6 +66,7 @@ class HistoryResults:
         collapse_drift: drift ratio at which the history ends as collapsed; None: there is none.
         histories: what is kept over time; None: what the project says.
         keep_drift: whether the drift of the storeys is kept over time in any case.
+        watched: whether the history is watched, for the use of members and the reactions of supports.
 
     Attributes:
         channels: for the core. Displacements and drifts have a tail, for the residual response.
@@ -83,12 +85,13 @@ class HistoryResults:
         collapse_drift: float | None = None,
         histories: Collection[HistoryKind] | None = None,
         keep_drift: bool = False,
+        watched: bool = True,
     ) -> None:
         self._project, self._frame, self._group = project, frame, Group()
-        self.watch = run_watch(project, frame)
+        self.watch = run_watch(project, frame) if watched else StepWatch(())
         coordinates(self._group, frame)
         self._wanted = project.outputs.histories if histories is None else histories
-        floors, storeys = "floors" in self._wanted, "storeys" in self._wanted
+        floors, storeys, supports = (kind in self._wanted for kind in ("floors", "storeys", "supports"))
         self.energies = "energy" in self._wanted
         self._displacements = replace(floor_displacements(frame, floors), tail=True)
         self._drift = replace(storey_drifts(frame, storeys), tail=True)
@@ -116,7 +119,7 @@ class HistoryResults:
             *base_rotation(frame, floors),
             *isolator_displacements(frame, "dampers" in self._wanted),
             *isolator_axial_forces(frame),
-            *support_reactions(frame, self._group, history="supports" in self._wanted),
+            *(support_reactions(frame, self._group, supports) if watched or supports else ()),
             *requested_quantities(project, frame, self._group),
         ]
         self._others = self.watch.watching(others)

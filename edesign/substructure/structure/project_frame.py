@@ -195,7 +195,8 @@ class ProjectFrame:
         number = frame.devices[-1].number
         kinds = {DEFORMATION: "damper_deformation", FORCE: "damper_force", WORK: "damper_work"}
         own = [Channel(name, ((1.0, kind, number, 0),)) for name, kind in kinds.items()]
-        return HistoryResults(self.project, frame, self.collapse_drift, self.histories, keep_drift=True), own
+        kept = self.collapse_drift, self.histories
+        return HistoryResults(self.project, frame, *kept, keep_drift=True, watched=False), own
 
     def _response(self, ready: _Ready, found: Response, ground: np.ndarray, step: float, every: int) -> FrameResponse:
         results, _ = self._recorded(ready.structure.frame)
