@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -113,7 +113,7 @@ def _in_space(building: Building, names: Sequence[str]) -> list[CheckedMember | 
         plastic, elastic = of_class(LARGEST_PLASTIC_CLASS), of_class(LARGEST_CLASS)
     found: list[CheckedMember | None] = []
     for name in names:
-        at = number[name]
+        at = number[_whole(name, number)]
         counts = frame.members[at].compression
         one = CheckedMember(name, plastic[at], elastic[at], share=1.0 if counts else SHEARED, compressed=counts)
         found.append(one if plastic[at].section.has_class else None)
@@ -127,7 +127,8 @@ def _in_plane(file: AnalysisFile, names: Sequence[str]) -> list[CheckedMember | 
     known: dict[tuple[object, ...], tuple[SteelMember, SteelMember]] = {}
     found: list[CheckedMember | None] = []
     for name in names:
-        run, kind = frame.members[name], member_kind(name)
+        own, kind = _whole(name, frame.members), member_kind(name)
+        run = frame.members[own]
         material = file.materials[run.material]
         if isinstance(file.sections.get(run.section), _WITHOUT_CLASS) or isinstance(material, ElasticMaterial):
             found.append(None)
@@ -136,9 +137,9 @@ def _in_plane(file: AnalysisFile, names: Sequence[str]) -> list[CheckedMember | 
         fy, standard = material.fy, design.members.yield_by_thickness if design is not None else None
         if standard is not None:
             fy = yield_by_thickness(file, run.section, run.material, fy, standard)[0]
-        of, length = design, frame.length(name)
+        of, length = design, frame.length(own)
         if kind == "beam":
-            length = frame.bay_widths[frame.beam_members[name].bay - 1]
+            length = frame.bay_widths[frame.beam_members[own].bay - 1]
         if isinstance(run, BraceRun) and design is not None:
             of = _of_brace(design, run)
         key = (run.section, fy, material.E, kind, length, of is design or getattr(run, "buckling_length_factor", None))
@@ -153,6 +154,11 @@ def _in_plane(file: AnalysisFile, names: Sequence[str]) -> list[CheckedMember | 
         weak = not isinstance(run, BraceRun) and run.axis == "weak"
         found.append(CheckedMember(name, *known[key], weak, 1.0 if counts else SHEARED, counts))
     return found
+
+
+def _whole(name: str, known: Container[str]) -> str:
+    """The name of a member in its file: a beam that dampers of a design halve is one there."""
+    return name if name in known else name.rpartition("_")[0]
 
 
 def _of_brace(design: FrameDesign, run: BraceRun) -> FrameDesign:

@@ -20,7 +20,7 @@ from edesign.space.checks.member_checks import LARGEST_CLASS
 from edesign.study.results.checked_members import CheckedMember, checked_members, moments_inside
 from edesign.study.results.coordinates import bending_members
 from edesign.study.results.largest_use import Buckling, Forces, Largest, Sections
-from edesign.study.results.recording import by_axis, coordinate
+from edesign.study.results.recording import SINGLE, by_axis, coordinate
 from edesign.study.results.supports import SupportExtremes
 from edesign.study.results.watch import Observer, StepWatch
 
@@ -158,14 +158,14 @@ class MemberUse:
             for (part, of_part, symbol), values in zip(_PARTS, parts, strict=True):
                 shape = ("member", "end") if symbol == "N" else self._dims
                 label = f"internal force {symbol} at the end of the member with the largest use of {what}"
-                values = values.reshape(*values.shape[: len(shape)])
+                values = values.reshape(*values.shape[: len(shape)]).astype(SINGLE)
                 group.add(f"{name}_{part}", shape, values, of_part, label)
         if self._of_members is not None and self._load_moments.any():
             coordinate(group, "station", STATIONS, "1", "place on the member over its length from the start")
             dims = (*by_axis_of(self._dims),)
             label = "moment that gravity loads inside add to the line between the moments at both ends"
             values = self._load_moments if len(dims) == 3 else self._load_moments[..., 0]
-            group.add("member_load_moment", dims, values, "N*m", label)
+            group.add("member_load_moment", dims, values.astype(SINGLE), "N*m", label)
 
 
 def by_axis_of(dims: tuple[str, ...]) -> tuple[str, ...]:

@@ -26,7 +26,6 @@ from edesign.space.structure.geometry import space_frame
 from edesign.study.results.checked_members import checked_members
 from edesign.study.results.coordinates import bending_members
 from edesign.study.results.member_use import BraceUse, MemberUse
-from edesign.study.results.supports import SupportExtremes
 from edesign.study.run.analyses import run_analysis
 
 PORTAL = """\
@@ -276,4 +275,9 @@ def test_pairs_in_tension_alone_take_the_force_of_both() -> None:
     file = project(BRACED.replace("kind: rising, section", "kind: cross, compression: false, section"))
     braces = checked_members(file, ["D_1_1_r"]).members
     assert braces[0].share == 2.0 and not braces[0].compressed
-    assert SupportExtremes(build_frame(file)).needs[0] == "support_vertical_reaction"
+
+
+def test_halves_of_a_beam_are_checked_over_its_bay() -> None:
+    """Dampers of a design that meet a beam halve it in the analysis, and not in the file."""
+    half, whole = checked_members(project(), ["B_1_1_2", "B_1_1"]).members
+    assert half.plastic is whole.plastic and half.plastic.stability.L_cr_y == 6.0
