@@ -192,8 +192,11 @@ def test_the_command_writes_the_sheet(
     rows = list(csv.DictReader((tmp_path / "s.csv").open()))
     assert len(rows) == 5 and float(rows[2]["damping_kN_s_per_mm"]) == pytest.approx(0.8, rel=2e-5)
     page = (tmp_path / "s.html").read_text()
-    assert "Acceptance" in page and "<svg" in page and "Force against velocity, third cycle" in page
+    assert "Acceptance" in page and "<svg" in page and "Force against velocity" not in page
     campaign(tmp_path, "acceptance: {device: viscous, standards: [asce_7], from_mean: 1 %}\n")
+    assert command.main(["sheet", "c.yaml", "--page", "v.html"]) == 0
+    assert "Force against velocity, third cycle" in (tmp_path / "v.html").read_text()
+    capsys.readouterr()
     assert command.main(["sheet", "c.yaml", "--json"]) == 0
     data = json.loads(capsys.readouterr().out)
     assert [one["limit"] for one in data["acceptance"]] == [0.01] * 3 and all(one["met"] for one in data["acceptance"])
