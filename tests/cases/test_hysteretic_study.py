@@ -87,6 +87,23 @@ def test_devices_to_order(archive: Path) -> None:
     assert float(last[9]) == pytest.approx(1e3 * work / force, rel=1e-3)
 
 
+def test_connections_of_the_study(archive: Path) -> None:
+    """Storey 1 is 4 m high in a bay of 6 m: the damper slips at F, so N = 5 / 6 F, H = F / 2 and V = 4 / 6 F."""
+    with open_archive(archive) as opened:
+        found = study_tables(opened)
+        slip = float(opened.group("designs/share").variables["device_yield_force"].values[0])
+    (table,) = (one for one in found if one.title == "Connections of the dampers, share, largest of all levels")
+    gusset, _, apex, beam = table.rows[:4]
+    assert [row[2] for row in table.rows[:4]] == ["lower gusset"] * 2 + ["apex, to the damper", "beam above"]
+    assert [row[3] for row in table.rows[:4]] == ["A0", "B0", "storey 1", "storey 1"]
+    # both ways it slips; the law of friction reaches its force to 1e-3
+    assert gusset[5:] == pytest.approx(
+        [5 / 6 * slip, 5 / 6 * slip, 1.0, 5 / 6 * slip, slip / 2, 4 / 6 * slip], rel=2e-3
+    )
+    assert apex[8:] == beam[8:] == pytest.approx([slip, slip, 0.0], rel=2e-3)
+    assert any("none in `device_factors`" in note for note in table.notes)
+
+
 def test_optimum_against_a_grid_of_histories(archive: Path, tmp_path: Path) -> None:
     study = load_study(study_in(tmp_path))
     spec = study.designs["optimum"]

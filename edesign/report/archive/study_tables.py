@@ -11,6 +11,7 @@ from edesign.archive.reader import Archive
 from edesign.assess.members import VariantMembers
 from edesign.assess.sets import history_sets
 from edesign.assess.verdicts import judge
+from edesign.errors import EdesignError
 from edesign.report.archive.project_tables import member_tables
 from edesign.report.archive_view import all_results, ending, results, statistics
 from edesign.report.archived import archived_study
@@ -108,7 +109,10 @@ def study_tables(archive: Archive) -> list[Table]:
         isolation_statistics_table(sets),
     ]
     frames = VariantFrames(archive, study.base, study)
-    tables += connection_tables(frames, study, sets, lambda name: results(archive, name), governing=True)
+    try:
+        tables += connection_tables(frames, study, sets, lambda name: results(archive, name), governing=True)
+    except EdesignError as error:  # a frame that cannot be built again: the rest stands
+        tables.append(Table("", notes=[f"no forces on connections of dampers: {error}"], headed=False))
     tables += derived_tables(study, sets)
     tables += target_tables(study.base, groups, study)
     judged = read_judged(archive, groups)

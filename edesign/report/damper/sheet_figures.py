@@ -69,7 +69,6 @@ def force_velocity_figure(runs: Sequence[Run], designs: Sequence[Run | None], to
     Args:
         runs: of a velocity-dependent device.
         designs: the same runs by the law; None: it gives no force.
-        tolerance: of the force from that of the law.
     """
     figure, ((axis,),) = new_figure(1, 1, 4.2, 2.8)
     by_law = sorted(

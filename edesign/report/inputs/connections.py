@@ -266,7 +266,7 @@ def _notes(rules: SetRules, factors: DeviceFactors, asked: bool, governing: bool
         f"Of at least {rules.number_for_mean} motions the mean counts, else the largest{clause}.",
         "N: the larger one times the factor; H, V: its horizontal and vertical component on the node.",
     ]
-    told = factors_note(factors, asked)
+    told = factors_note(factors, asked) if factors.on_dampers else ""
     notes.append(told or "No factor is asked for: the study file has none in `device_factors`.")
     if told:
         notes.append(

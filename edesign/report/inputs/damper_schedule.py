@@ -69,8 +69,8 @@ FACTORED = TableSpec[Row](
         col("stroke", MM, negligible=ROUNDING),
         col("stroke factored", MM, negligible=ROUNDING),
         col("strain factored", PERCENT, optional=True),
-        col("v", M_S),
-        col("v factored", M_S),
+        col("v", M_S, optional=True),
+        col("v factored", M_S, optional=True),
     ),
     keys=4,
 )

@@ -16,6 +16,7 @@ from edesign.errors import InputError
 from edesign.frame.bays import frame_sites
 from edesign.frame.chosen_braces import Candidate, candidates, first_that_holds, why_none
 from edesign.frame.device_places import DamperSites, DevicePlace
+from edesign.frame.sections.building_sections import BuildingSections
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.building.building import Building as BuildingFile
 from edesign.project.dampers.dampers import BraceSection
@@ -89,7 +90,7 @@ class DesignBraces:
         stiffness: np.ndarray,
         storeys: np.ndarray,
     ) -> None:
-        self.brace, self._places, self._of = brace, places, place_storey
+        self.brace, self._places, self._of = _named(project, brace), places, place_storey
         self._cosine, self._least, self._storeys = cosine, stiffness, storeys
         self._E = project.steels[brace.material].E
         sites, lists = sites_of(project), dict[tuple[float, int], tuple[Candidate, ...]]()
@@ -107,7 +108,11 @@ class DesignBraces:
         if isinstance(brace, DesignedBrace):
             return candidates(sites, brace, length, (), "brace")
         one = brace.model_copy(update={"section": brace.of(storey)})
-        axial, as_strut = sites.bar(one, length, ())
+        try:
+            axial, as_strut = sites.bar(one, length, ())
+        except InputError as error:  # the brace stands in no file of a frame: the place is the design
+            message = str(error).partition("brace.section: ")[2] or str(error)
+            raise InputError(f"brace.section: {message}") from error
         if as_strut is None:
             raise InputError(f"brace.section: {one.of(0)} has no `inertia`, and cannot be checked [E-DAMPER-06]")
         return (Candidate(one.of(0), axial, as_strut, DENSITY * axial * length / self._E),)
@@ -201,6 +206,16 @@ class DesignBraces:
 
     def _one(self, d: int, numbers: Numbers) -> Candidate:
         return self._among[d][numbers[self._of[d]]]
+
+
+def _named(project: AnalysisFile, brace: HeldBrace) -> HeldBrace:
+    """The braces with the catalogue's own names of their sections; own sections go before."""
+    if not isinstance(brace, BraceSection):
+        return brace
+    own = project.sections if isinstance(project, Project | BuildingFile) else {}
+    known = BuildingSections()
+    names = tuple(name if name in own else known.canonical(name) or name for name in brace.sections)
+    return brace.model_copy(update={"section": names if isinstance(brace.section, tuple) else names[0]})
 
 
 def history_forces(
