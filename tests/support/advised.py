@@ -804,13 +804,13 @@ STUDIES = (
     _row(
         "study",
         ("objectives: [h]", "objectives: [a]"),
-        "and the project has none; add to `hazard: levels` one with `probability: 50 %`",
+        "T_R = 2475 years); add to `hazard: levels` one with `probability: 50 %`",
         ("MCE: {probability: 2 %}", "MCE: {probability: 2 %}, often: {probability: 50 %}"),
     ),
     _row(
         "study",
         (*_ONE_LEVEL, (_EC8, _NTC)),
-        "and `code: ntc-2018` has `DBE` 6.78 %; leave the objective out, or give the spectra as tables (`code: user`), "
+        "and `DBE` has 6.78 % (T_R = 712 years); leave the objective out, or give the spectra as tables (`code: user`), "
         "whose levels may state their `probability`",
         ("objectives: [h]\n", ""),
         (_NTC, _TABLES),
@@ -821,7 +821,8 @@ STUDIES = (
             *_ONE_LEVEL,
             (_EC8, "hazard: {code: asce7-16, S_DS: 1 g, S_D1: 0.6 g, T_L: 8 s, levels: {DBE: {earthquake: DE}}}\n"),
         ),
-        "and `code: asce7-16` has levels of no known probability; leave the objective out, or give the spectra as tables",
+        "no probability of `DBE`, as levels of `code: asce7-16` aim at a risk of collapse; leave the objective out, or give the "
+        "spectra as tables",
         ("objectives: [h]\n", ""),
         ("hazard: {code: asce7-16, S_DS: 1 g, S_D1: 0.6 g, T_L: 8 s, levels: {DBE: {earthquake: DE}}}\n", _TABLES),
     ),
@@ -1098,6 +1099,25 @@ OTHER_PARTS = (
     ),
     _row(
         "study",
+        (
+            "plastic_hinges: none, of: columns, levels: DBE}",
+            "performance: SD, levels: DBE}",
+        ),
+        "`SD` is no level of FEMA 356 (`IO`, `LS`, `CP`), but of `standard: en1998-3`",
+        ("performance: SD", "performance: SD, standard: en1998-3"),
+    ),
+    _row(
+        "study",
+        (
+            "plastic_hinges: none, of: columns, levels: DBE}",
+            "performance: IO, standard: asce41-17, by: drift, levels: DBE}",
+        ),
+        "ASCE/SEI 41-17 has no limits of drift here; leave `by` out, or write `members`",
+        (", by: drift", ""),
+        ("by: drift", "by: members"),
+    ),
+    _row(
+        "study",
         ("objectives: [h]", "objectives: [a]"),
         "objective a needs a hazard level of 50 % in 50 years, T_R = 72 years within 5.4 %, and the project has none",
         ("DBE: {probability: 10 %}", "often: {return_period: 72 years}, DBE: {probability: 10 %}"),
@@ -1149,7 +1169,7 @@ LEFT = {
         "; folders are divided by `/`", "takes targets a delay apart (`spacing: delay`)",
         "with `scaling: none` every factor is 1", "with `dampers: false` it", "a variant with `dampers: none`",
         "this is what is compared with the spectrum of the hazard by `match`",
-        "it is of a frame that may yield: `structure: {",
+        "it is of a frame that may yield: `structure: {", "`standard: ",
     ),
     "it is reported of values in Python, not of a file": (
         "was not read from a file or text", "; give a new one as a whole", "yet; give it as a whole", "give text such as `100 GPa`",
@@ -1182,6 +1202,9 @@ LEFT = {
         "stands on an isolator, and on a footing by `supports`",
         "isolate them, or let them slide: `ux: free, uy: free`", "at different temperatures; give each of them a law of its own",
         "nothing connects the rectangles between",
+    ),
+    "it is of designs by NTC 2018; tests/unit/space/test_ntc_buildings.py provokes it": (
+        "; both are of one code, as with", "take this key out of a design by `ntc-2018`",
     ),
     "it is of floors and diaphragms of buildings; tests/unit/project/test_building_bad_input.py provokes it": (
         "or leave `design` out", "give `rz: fixed`, or stiffnesses along x and y",

@@ -58,22 +58,23 @@ def _check_objectives(study: Study) -> None:
             continue
         wanted = OBJECTIVES[letter].probability
         probability = f"{100 * wanted:g} %"
-        known = [f"`{name}` has {100 * p:.3g} %, T_R = {return_period(p):.0f} years" for name, p in _rarities(hazard)]
+        rarities = _rarities(hazard)
+        known = ", ".join(f"`{name}` has {100 * p:.3g} % (T_R = {return_period(p):.0f} years)" for name, p in rarities)
         if hazard is None:
             has = "and the project has no `hazard`; give it one with such a level"
         elif isinstance(hazard, EC8Hazard):
-            others = f": {listed(known)}" if known else ", as levels by class or factor say no probability"
+            others = f": {known}" if known else ", as levels by class or factor say no probability"
             has = f"and the project has none{others}; add to `hazard: levels` one with `probability: {probability}`"
         elif isinstance(hazard, UserHazard):
             of = "a `spectrum`" if hazard.own_shapes else "a `factor`"
-            others = f": {listed(known)}" if known else ""
+            others = f": {known}" if known else ""
             add = f"add to `hazard: levels` one with {of} and `probability: {probability}`"
             has = f"and the project has none{others}; {add}"
         else:
-            names = "`, `".join(hazard.levels)
-            none = f"`{names}` of `code: {hazard.code}` aim at a risk of collapse, and have no probability"
+            names = listed(hazard.levels)
+            none = f"there is no probability of {names}, as levels of `code: {hazard.code}` aim at a risk of collapse"
             has = (
-                f"and {listed(known) if known else none}; leave the objective out, or give the spectra as tables "
+                f"and {known or none}; leave the objective out, or give the spectra as tables "
                 "(`code: user`), whose levels may state their `probability`"
             )
         raise InputError(

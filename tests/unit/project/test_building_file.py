@@ -102,7 +102,7 @@ def test_a_building_with_dampers() -> None:
 
 @pytest.mark.parametrize("hazard", [NTC.replace("  behaviour_factor: 3.9\n", ""), ASCE, USER, EACH])
 def test_analyses_take_the_action_of_any_code(hazard: str) -> None:
-    """A design takes that of EN 1998-1 and NTC 2018, and psi_2 is the recommended one of EN 1990, Table A1.1: 0.3 of offices."""
+    """A design takes two of them, and psi_2 is the recommended one of EN 1990, Table A1.1: 0.3 of offices."""
     found = building(SMALL[: SMALL.index("hazard:")] + hazard)
     assert len(found.hazard_levels) >= 2 and (found.design_hazard is None) == ("ntc-2018" not in hazard)
     assert check_building(found)["masses"] == check_building(building(SMALL))["masses"]
