@@ -4,16 +4,19 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 from unit.assess.assessed import FRAME
 
 from edesign.assess.acceptance import ACCEPTANCE, FrameMember, section_class
-from edesign.assess.members import frame_members
+from edesign.assess.members import frame_members, under_gravity
 from edesign.codes.asce41.steel import beam_rotations, column_rotations, web_limits
 from edesign.codes.ec8.existing_steel import plastic_rotations
 from edesign.errors import InputError
-from edesign.project import parse_project
+from edesign.project import load_project, parse_project
+from edesign.project.analysis.analyses import GravityAnalysis
+from edesign.study.analysis.gravity import run_gravity
 
 BEAM_YIELD, COLUMN_YIELD = 0.0079398 * 6.0 / 7.2, 0.0027945 * 3.0 / 3.5  # rad, tests of FEMA 356 have 7.2 and 3.5 m
 P = 1544.53e3  # N, of P_ye = 5822.3 kN: 0.26528
@@ -71,6 +74,19 @@ def test_gravity_stands_for_the_largest_compression_where_it_is_known() -> None:
     loaded = replace(column, gravity=P)
     assert rule(loaded, large) == rule(column, P)
     assert rule(loaded, large).axial_ratio == pytest.approx(0.26528, rel=1e-4)
+
+
+def test_the_base_column_of_the_thesis_under_gravity() -> None:
+    """FEMA 356 makes `C_B_1` force-controlled under 0.79 P_CL; P_G/P_ye is 0.317."""
+    project = load_project(Path(__file__).parents[2] / "projects" / "thesis_10_storey" / "project.yaml")
+    gravity = run_gravity(project, GravityAnalysis(kind="gravity", name="gravity"))
+    column = under_gravity(frame_members(project), gravity)["C_B_1"]
+    found = {name: rule(column, 0.79 * column.strength) for name, rule in ACCEPTANCE.items()}
+    assert found["fema356"].elastic and found["en1998-3"].elastic == "has no plastic rotation in Table B.1 (nu = 0.70)"
+    assert found["asce41-17"].axial_ratio == pytest.approx(0.317, abs=5e-4)
+    # L/r_y = 47.064, h/t_w = 24.571: a = 0.8*0.68283^2.2/24.363 - 0.0035, b = 7.4*0.68283^2.3/94.789 - 0.006
+    expected = {"IO": 0.5 * 0.010685, "LS": 0.75 * 0.026463, "CP": 0.026463}
+    assert found["asce41-17"].rotations == pytest.approx(expected, rel=2e-4)
 
 
 def test_members_of_en_1998_3() -> None:
