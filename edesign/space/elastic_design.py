@@ -548,8 +548,8 @@ class ElasticAnalysis:
         psi = psi_of(self.building, self._national)
         if lasting := [name for name, case in frame.cases.items() if case.own and psi[case.category].psi_2 > 0.0]:
             found.append(
-                f"{listed(lasting)} act with psi_2 beside the seismic action, and bring no masses: those are under "
-                "`masses.added`"
+                f"own load cases act with psi_2 beside the seismic action, and bring no masses, which stand under "
+                f"`masses.added`: {listed(lasting)}"
             )
         weight = float(frame.node_mass.sum()) * STANDARD_GRAVITY
         loads = float(gravity_above(frame, self.seismic[0].static)[0])

@@ -68,7 +68,7 @@ def fundamental(
             actions are absent.
         relieving: cases that may relieve what others load, as wind: each also acts not at all, and with gamma_G,inf
             without the other variable actions.
-        patterns: cases of each pattern of imposed loads, which also act without the others.
+        patterns: cases of each pattern of imposed loads, which also act without the others where they lead.
 
     Raises:
         InputError: a category or the expression is not known, no case is permanent, or there are too many combinations.
@@ -83,13 +83,14 @@ def fundamental(
 
     def rows() -> Iterator[Combination]:
         for actions in sets:
+            in_part = _in_part(actions, patterns)
             for G in (factors.G_sup, factors.G_inf) if favourable else (factors.G_sup,):
-                if expression == _PAIR:
+                if expression == _PAIR and not in_part:
                     static = dict.fromkeys(permanent, G)
                     static |= {case: factors.Q * psi[cases[case]].psi_0 for action in actions for case in action}
                     yield _combination("fundamental", "6.10a", static)
                 reduced = G * factors.xi if expression == _PAIR and G == factors.G_sup else G
-                for leading in actions or ((),):
+                for leading in in_part or actions or ((),):
                     static = dict.fromkeys(permanent, reduced)
                     for action in actions:
                         for case in action:
@@ -228,7 +229,7 @@ def _serviceability(
 
     def rows(sets: Iterable[tuple[Action, ...]]) -> Iterator[Combination]:
         for actions in sets:
-            for leading in actions if actions and kind != "quasi-permanent" else ((),):
+            for leading in (_in_part(actions, patterns) or actions or ((),)) if kind != "quasi-permanent" else ((),):
                 static = dict.fromkeys(permanent, 1.0)
                 static |= {case: factor(case, action == leading) for action in actions for case in action}
                 yield _combination(kind, equation, static, leading)
@@ -283,6 +284,12 @@ def _distinct(rows: Iterator[Combination], favourable: bool, optional: Collectio
             )
     found = tuple(kept.values())
     return found if favourable else tuple(row for row in found if not any(_covers(o, row, optional) for o in found))
+
+
+def _in_part(actions: Iterable[Action], patterns: Sequence[Collection[str]]) -> list[Action]:
+    """The imposed loads that act in a pattern alone; they lead, as patterns that accompany others are left out."""
+    every = {case for pattern in patterns for case in pattern}
+    return [of for of in actions if set(of) & every and not every <= set(of)]
 
 
 def _joined(rows: Sequence[Combination], more: Sequence[Combination]) -> tuple[Combination, ...]:

@@ -9,6 +9,7 @@ import pytest
 from edesign.codes.ec8 import national_parameters
 from edesign.codes.ec8.directions import direction_factors, vertical_component_counts
 from edesign.codes.en1990 import Combination, characteristic, frequent, fundamental, quasi_permanent, seismic
+from edesign.codes.en1990.combinations import stated
 from edesign.codes.en1991.imposed import alpha_A, alpha_n
 from edesign.errors import InputError
 
@@ -126,6 +127,47 @@ def test_winds_exclude_each_other_and_roof_loads_exclude_snow_and_wind() -> None
     assert [row.static for row in seismic(cases, PSI)] == [{"G": 1.0, "Q": 0.3, "S": 0.2}] * 8
     cases = {"G": "permanent", "R": "H", "S": "snow", "Wx": "wind", "Wy": "wind"}
     assert not any({"Wx", "Wy"} <= set(row.static) for row in fundamental(cases, PSI, FACTORS, favourable=True))
+
+
+def test_actions_that_may_relieve_others() -> None:
+    """Wind to either side of an office: absent, beside the imposed load, and with favourable G: G + 1.5 W."""
+    cases = {"G": "permanent", "Q": "B", "W": "wind", "-W": "wind"}
+    assert names(fundamental(cases, PSI, FACTORS, relieving=("W", "-W"))) == [
+        "1.35 G + 1.5 Q",
+        "1.35 G + 1.5 Q + 0.9 W",
+        "1.35 G + 1.05 Q + 1.5 W",
+        "1.35 G + 1.5 Q - 0.9 W",
+        "1.35 G + 1.05 Q - 1.5 W",
+        "G + 1.5 W",
+        "G - 1.5 W",
+    ]
+    assert names(characteristic(cases, PSI, relieving=("W", "-W"))) == [
+        "G + Q",
+        "G + Q + 0.6 W",
+        "G + 0.7 Q + W",
+        "G + Q - 0.6 W",
+        "G + 0.7 Q - W",
+        "G + W",
+        "G - W",
+    ]
+    assert [dict(row.static) for row in seismic(cases, PSI, relieving=("W", "-W"))] == [{"G": 1.0, "Q": 0.3}] * 8
+    pair = names(fundamental(cases, PSI, FACTORS, "6.10a/b", relieving=("W", "-W")))
+    assert {"1.35 G + 1.05 Q + 0.9 W", "1.1475 G + 1.05 Q + 1.5 W", "G + 1.5 W"} <= set(pair)
+
+
+def test_patterns_of_imposed_loads_act_alone_where_they_lead() -> None:
+    cases = {"G": "permanent", "Q1": "B", "Q2": "B", "S": "snow"}
+    assert names(fundamental(cases, PSI, FACTORS, patterns=(("Q1",), ("Q2",)))) == [
+        "1.35 G + 1.5 Q1 + 1.5 Q2 + 0.75 S",
+        "1.35 G + 1.05 Q1 + 1.05 Q2 + 1.5 S",
+        "1.35 G + 1.5 Q1 + 0.75 S",
+        "1.35 G + 1.5 Q2 + 0.75 S",
+    ]
+
+
+def test_stated_factors_are_a_combination() -> None:
+    row = stated({"G": 1.2, "Q": 0.5, "-W": 1.1})
+    assert (row.name, row.set, row.equation) == ("1.2 G + 0.5 Q - 1.1 W", "fundamental", "stated")
 
 
 def test_permanent_loads_alone() -> None:
