@@ -68,6 +68,7 @@ from edesign.space.checks.rules import (
 from edesign.space.checks.secondary_beams import secondary_criteria
 from edesign.space.checks.web_panels import Panel, panel_criteria, web_panels
 from edesign.space.file_places import keys_of_member, telling_member, telling_place
+from edesign.space.structure.composite import stiffness_factor
 from edesign.space.structure.design_block import MOMENT_FRAME, Regular, design_of, rules_of, system_of
 from edesign.space.structure.frame import AXES, Axis, Member, SpaceFrame
 from edesign.space.structure.geometry import space_frame
@@ -305,8 +306,15 @@ class ElasticAnalysis:
                 if (name, wanted) not in self._variants:
                     material, steel = self.steel_of(name, wanted)
                     self._made.materials.setdefault(material, steel)
+                    factor = self._slab_factor(name, wanted)
                     self._variants[name, wanted] = [
-                        replace(frame.members[k], section=wanted, material=material) for k in numbers
+                        replace(
+                            of,
+                            section=wanted,
+                            material=material,
+                            stiffness_factor=of.stiffness_factor if factor is None else factor,
+                        )
+                        for of in (frame.members[k] for k in numbers)
                     ]
                 for number, member in zip(numbers, self._variants[name, wanted], strict=True):
                     members[number] = member
@@ -316,6 +324,13 @@ class ElasticAnalysis:
         cases = frame.cases | {SELF_WEIGHT: self_weight(self._made, found)}
         found = found.with_sections(found.members, cases, frame.node_mass)
         return found.with_sections(found.members, cases, node_masses(self._made, found))
+
+    def _slab_factor(self, group: str, section: str) -> float | None:
+        """Return the factor on E I that a slab makes with a section in a group; None where it has no slab."""
+        for number, run in enumerate(self.building.beams):
+            if run.group == group and run.slab is not None:
+                return stiffness_factor(self.building, number, run, section)
+        return None
 
     def design(self, sections: Mapping[str, str] | None = None) -> ElasticDesign:
         """Analyse the building and check it.

@@ -5,10 +5,12 @@ from __future__ import annotations
 from edesign.codes.ec3.joints import PINNED, RIGID, classified
 from edesign.frame.sections.own_section import section_of
 from edesign.project.building.building import Building
+from edesign.space.structure.composite import with_slabs
 
 
 def unusual_ends(building: Building) -> list[str]:
     """Return the entries of beams whose semi-rigid ends are as good as pinned or rigid, a sentence each."""
+    building = with_slabs(building)
     layout = building.layout
     numbers = {id(run): i for i, run in enumerate(building.beams)}
     found: dict[tuple[int, str], str] = {}

@@ -32,6 +32,8 @@ beams:
   - {along: x, frames: 2, bays: 2, floors: 1, section: IPE330, material: S355,
      ends: {start: 60 MN*m/rad, end: rigid}, group: BS}
   - {along: y, section: IPE270, material: S355, ends: pinned, group: BY}
+  - {along: y, frames: B, bays: 1, floors: 1, section: IPE270, material: S355, ends: pinned, group: BC,
+     slab: {thickness: 70 mm, ribs: 60 mm, E: 31 GPa, reinforcement: 0.5 %}}
 braces:
   - {along: y, frames: [A, C], bays: 1, storeys: 1-2, kind: cross, section: SHS120x8, material: S235,
      compression: false, group: D1}

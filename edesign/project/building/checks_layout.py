@@ -51,6 +51,7 @@ def check_layout(building: Building, problems: Problems, profiles: Catalogue | N
         if run.material not in building.materials:
             problems.at_value((*keys, "material"), unknown_name("material", run.material, building.materials))
     _groups(building, problems)
+    _slabs(building, problems)
     check = Selections(building, problems)
     if not _selections(building, problems, check):
         return
@@ -281,6 +282,19 @@ def _section_of(building: Building, problems: Problems, keys: Keys, run: Run, pr
     if isinstance(own, SpaceElasticSection) and own.missing and not isinstance(run, BraceRun):
         message = f"the section `{run.section}` has no {listed(own.missing)}; only a brace can do without [E-FRAME-02]"
         problems.at_value((*keys, "section"), message)
+
+
+def _slabs(building: Building, problems: Problems) -> None:
+    """A slab makes the stiffness factor of a beam, and stands at rigid floors on beams that have a height."""
+    for i, run in enumerate(building.beams):
+        if run.slab is None:
+            continue
+        keys: Keys = ("beams", i)
+        if "stiffness_factor" in run.model_fields_set:
+            problems.at_key((*keys, "stiffness_factor"), "the factor follows from `slab`; give one of both [E-KEY-03]")
+        if isinstance(building.sections.get(run.section), SpaceElasticSection):
+            message = f"`{run.section}` has no height, which the slab lies above; give a profile or plates [E-FRAME-02]"
+            problems.at_value((*keys, "section"), message)
 
 
 def _runs(building: Building) -> Iterable[tuple[Keys, Run]]:

@@ -12,7 +12,13 @@ from edesign.project.notation.frames import ALL_FRAMES, Direction, Frames
 from edesign.project.notation.quantities import ROTATIONAL_STIFFNESS
 from edesign.project.notation.selections import ALL_NUMBERS, Numbers
 from edesign.project.notation.several import ShortName
-from edesign.project.notation.units import restraint
+from edesign.project.notation.units import (
+    NotNegativeLength,
+    PositiveLength,
+    PositiveStress,
+    UnitRatio,
+    restraint,
+)
 from edesign.project.notation.written import Written, as_kept, either, quantity, words_or
 from edesign.project.reading.base import Model
 
@@ -91,6 +97,22 @@ class BeamPlaces(Model):
     floors: Numbers = ALL_NUMBERS
 
 
+class BeamSlab(Model):
+    """A slab of concrete that acts with a beam, by full shear connection.
+
+    Attributes:
+        thickness: of the concrete; above the ribs where it lies on a profiled deck.
+        ribs: height of the ribs of the deck, whose concrete does not count.
+        E: modulus of the concrete; for actions that last about half of it (EN 1994-1-1, 5.4.2.2(11)).
+        reinforcement: area of the bars along the beam over that of the concrete.
+    """
+
+    thickness: PositiveLength
+    ribs: NotNegativeLength = 0.0
+    E: PositiveStress
+    reinforcement: UnitRatio = 0.0
+
+
 class BeamRun(BeamPlaces):
     """Beams of one section.
 
@@ -99,6 +121,7 @@ class BeamRun(BeamPlaces):
         material: one of `materials`.
         ends: how the ends are joined: `rigid`, `pinned`, a rotational stiffness, or a mapping of both.
         stiffness_factor: by which E I about the strong axis is multiplied, as for a slab that acts with the beam.
+        slab: concrete that acts with the beam; the factor on E I follows from it, in place of `stiffness_factor`.
         group: beams of one group are designed as one; without the key the run is a group of its own.
     """
 
@@ -108,6 +131,7 @@ class BeamRun(BeamPlaces):
         Ends, Written(_ends, either(as_kept, words_or(quantity(ROTATIONAL_STIFFNESS, "positive"), "rigid", "pinned")))
     ] = Ends()
     stiffness_factor: Annotated[float, Field(ge=0.1, le=10.0)] = 1.0
+    slab: BeamSlab | None = None
     group: ShortName | None = None
 
 

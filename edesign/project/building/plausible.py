@@ -68,6 +68,15 @@ OTHER_DENSITY = Range(
     (1.0, 10000.0),
     "",
 )
+CONCRETE = Range(
+    "modulus of the concrete of a slab",
+    MODULUS.kind,
+    "GPa",
+    (5e9, 60e9),
+    "light concrete under loads that last has 5 GPa, and C90/105 44 GPa (EN 1992-1-1, Table 3.1)",
+    (10e9, 45e9),
+    "half of that of C20/25 to that of C90/105",
+)
 AREA = Range(
     "load of a floor or roof",
     AREA_LOAD,
@@ -223,6 +232,9 @@ def _values(building: Building) -> Iterator[tuple[Keys, float, Range]]:
         yield ("materials", name, "fy"), steel.fy, YIELD
         yield ("materials", name, "E"), steel.E, MODULUS
         yield ("materials", name, "density"), steel.density, STEEL_DENSITY
+    for i, run in enumerate(building.beams):
+        if run.slab is not None:
+            yield ("beams", i, "slab", "E"), run.slab.E, CONCRETE
     for part, permanent, variable in (
         ("areas", AREA, IMPOSED),
         ("perimeter", LINE, LINE),

@@ -12,6 +12,7 @@ from edesign.project.building.building import Building
 from edesign.project.building.layout import DIRECTIONS
 from edesign.project.building.names import Direction
 from edesign.space.extract.plane_frame import PlaneFrame, parallel_frames, plane_frame
+from edesign.space.structure.composite import with_slabs
 from edesign.space.structure.frame import SpaceFrame
 
 V = TypeVar("V")
@@ -129,6 +130,7 @@ def frame_row(building: Building, space: SpaceFrame, name: str) -> FrameRow:
     Raises:
         InputError: there is no such frame.
     """
+    building = with_slabs(building)
     for along in DIRECTIONS:
         if name.strip().lower() == along:
             first = PlaneFrame(building, space, along, 0)

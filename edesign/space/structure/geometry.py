@@ -15,6 +15,7 @@ from edesign.project.building.layout import Diaphragm, ways
 from edesign.project.building.members import BeamRun, BraceRun, End
 from edesign.project.building.names import BeamPlace, BracePlace, ColumnLine, column_name, frame_name, node_name
 from edesign.project.frame.foundations import FootingSupport
+from edesign.space.structure.composite import with_slabs
 from edesign.space.structure.design_cases import design_cases
 from edesign.space.structure.frame import NO_DIAPHRAGM, RIGID, Member, SpaceFrame
 from edesign.space.structure.load_cases import load_cases
@@ -35,8 +36,10 @@ def space_frame(building: Building, design: bool = False) -> SpaceFrame:
         design: whether load cases are those of the elastic design, with its own ones and its patterns of loads.
 
     Raises:
-        InputError: a section is not known, loads upwards would give a negative mass, or a footing has no stiffness.
+        InputError: a section is not known, loads upwards would give a negative mass, a footing has no stiffness, or
+            beams of one entry differ in what their slab adds.
     """
+    building = with_slabs(building)
     layout = building.layout
     nodes = {name: number for number, name in enumerate(layout.nodes)}
     coordinates = np.array(list(layout.nodes.values()))
