@@ -8,6 +8,7 @@ from edesign.errors import InputError, split_code
 from edesign.frame.sections.angles import angle_name, near_angle
 from edesign.frame.sections.hollow_section import hollow_section
 from edesign.frame.sections.profiles import profile_names
+from edesign.frame.sections.tapered import near_tapered, tapered_name
 
 
 class BuildingSections(Collection[str]):
@@ -40,13 +41,14 @@ class BuildingSections(Collection[str]):
             return None
         return profile_names().canonical(name) if hollow is None else hollow.name
 
-    def canonical_bar(self, name: str) -> str | None:
-        """Return the name of a section that only pin-ended braces of buildings may have, an angle; None for others.
+    def canonical_in_building(self, name: str, brace: bool = False) -> str | None:
+        """Return the name of a section that only buildings may have: tapered, of braces an angle; None for others.
 
         Args:
             name: as a user writes it.
+            brace: whether it is that of a pin-ended brace.
         """
-        return angle_name(name)
+        return tapered_name(name) or (angle_name(name) if brace else None)
 
     def near(self, name: str) -> str:
         """Return what there is near a name that is none, as a clause.
@@ -58,4 +60,4 @@ class BuildingSections(Collection[str]):
             hollow_section(name)
         except InputError as error:
             return split_code(str(error))[0]
-        return near_angle(name) or profile_names().near(name)
+        return near_angle(name) or near_tapered(name) or profile_names().near(name)

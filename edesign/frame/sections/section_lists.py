@@ -9,6 +9,7 @@ from edesign.frame.sections.angles import angle_name, angle_names
 from edesign.frame.sections.building_sections import BuildingSections
 from edesign.frame.sections.profiles import profile_names
 from edesign.frame.sections.steel_section import SteelSection, steel_section
+from edesign.frame.sections.tapered import tapered_name, tapered_names
 
 _THICKNESSES = (2.5, 3, 3.2, 3.6, 4, 5, 6, 6.3, 8, 10, 12, 12.5, 16, 20)
 _SQUARE = {
@@ -41,15 +42,15 @@ def sections_of(asked: str) -> tuple[SteelSection, ...]:
     """Return the sections that a name stands for: a family, a pattern such as `HEB3*`, or one section.
 
     Args:
-        asked: `HEB`, `SHS` (hot finished), `IPE3*`, `HEB300`, `SHS200x10`; `L`, `L100x100x10` of braces.
+        asked: `HEB`, `SHS` (hot finished), `IPE3*`, `HEB300`, `SHS200x10`; `L`, `L100x100x10` of braces; `IPN`.
 
     Raises:
         InputError: there is none.
     """
     if (known := BuildingSections().canonical(asked)) is not None:
         return (steel_section(known),)
-    if (bar := angle_name(asked)) is not None:
-        return (steel_section(bar),)
+    if (known := angle_name(asked) or tapered_name(asked)) is not None:
+        return (steel_section(known),)
     if asked.upper() == SQUARES:
         sizes = [(side, t) for side, (least, most) in _SQUARE.items() for t in _THICKNESSES if least <= t <= most]
         names = [f"{SQUARES}{side}x{t:g}" for side, t in sizes]
@@ -58,7 +59,7 @@ def sections_of(asked: str) -> tuple[SteelSection, ...]:
             f"`{asked}` has no list of sizes; name the sections one by one, such as `CHS168.3x8` [E-SECT-03]"
         )
     else:
-        names = profile_names().chosen(asked) or angle_names().chosen(asked)
+        names = profile_names().chosen(asked) or angle_names().chosen(asked) or tapered_names().chosen(asked)
     if not names:
         raise InputError(f"there is no section or family `{asked}`; {BuildingSections().near(asked)} [E-NAME-01]")
     return tuple(map(steel_section, names))

@@ -39,7 +39,8 @@ from edesign.frame.sections.hollow_fibres import hollow_corners
 from edesign.frame.sections.hollow_section import HollowSection, hollow_section
 from edesign.frame.sections.profiles import profile
 from edesign.frame.sections.section import Spot, fillets, rectangle_section
-from edesign.frame.sections.steel_section import i_torsion_constant, steel_section
+from edesign.frame.sections.steel_section import steel_section
+from edesign.frame.sections.torsion import i_torsion_constant
 from edesign.frame.sections.walls import Wall, hollow_walls, i_walls
 from edesign.project.frame.sections import FIBRES_OF_HALF_A_FLANGE, BoxSection, Fibres, PlateSection, RectangleSection
 

@@ -10,6 +10,8 @@ from edesign.frame.sections.angles import angle, angle_name, near_angle
 from edesign.frame.sections.hollow_section import hollow_section
 from edesign.frame.sections.profiles import profile, profile_names
 from edesign.frame.sections.section import fillets
+from edesign.frame.sections.tapered import near_tapered, tapered, tapered_name
+from edesign.frame.sections.torsion import i_torsion_constant
 
 
 @cache
@@ -19,7 +21,8 @@ def steel_section(name: str) -> SteelSection:
     Args:
         name: of a rolled I section, as `profile` takes it, or of a hollow section, sizes in mm: `SHS200x10`,
             `RHS200x100x8`, `CHS168.3x8`, hot finished, with or without `HF` before it; `CFSHS200x10` is cold formed.
-            `HSS8x6x1/2` is of ASTM A500, in inches. `L100x100x10` is an angle, of braces alone.
+            `HSS8x6x1/2` is of ASTM A500, in inches. `L100x100x10` is an angle, of braces alone,
+            `IPN300` has tapered flanges.
 
     Raises:
         InputError: there is no such section, or the walls of a hollow one do not fit into it.
@@ -27,7 +30,9 @@ def steel_section(name: str) -> SteelSection:
     hollow = hollow_section(name)
     if hollow is None and (bar := angle_name(name)) is not None:
         return angle(bar)
-    if hollow is None and (near := near_angle(name)):
+    if hollow is None and (sloping := tapered_name(name)) is not None:
+        return tapered(sloping)
+    if hollow is None and (near := near_angle(name) or near_tapered(name)):
         raise InputError(f"there is no section `{name}`; {near} [E-NAME-01]")
     if hollow is None:
         known = profile_names().canonical(name)
@@ -109,22 +114,3 @@ def i_steel_section(
         W_pl_z=flange * b / 2.0 + web * tw / 4.0 + sum(pair.area * abs(pair.centre) for pair in beside),
         welded=welded,
     )
-
-
-def i_torsion_constant(height: float, width: float, flange: float, web: float, radius: float) -> float:
-    """Return I_t of an I section, m4.
-
-    Args:
-        height: overall, m.
-        width: of the flanges, m.
-        flange: thickness of a flange, m.
-        web: thickness of the web, m.
-        radius: of the fillets, m; 0 of plates.
-
-    Source: the mills' tables (ArcelorMittal, Sections and merchant bars, notations and formulae); finite elements give
-        that of five rolled sections within 2.5 %.
-    """
-    circle = ((radius + 0.5 * web) ** 2 + (radius + flange) ** 2 - radius**2) / (2.0 * radius + flange)  # diameter
-    joints = 2.0 * web / flange * (0.145 + 0.1 * radius / flange) * circle**4
-    walls = 2.0 / 3.0 * (width - 0.63 * flange) * flange**3 + (height - 2.0 * flange) * web**3 / 3.0
-    return walls + joints

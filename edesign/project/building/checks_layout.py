@@ -276,9 +276,9 @@ def _groups(building: Building, problems: Problems) -> None:
 
 def _section_of(building: Building, problems: Problems, keys: Keys, run: Run, profiles: Catalogue | None) -> None:
     own = building.sections.get(run.section)
-    bar = isinstance(run, BraceRun) and profiles is not None and profiles.canonical_bar(run.section) is not None
-    if own is None and not bar and profiles is not None and profiles.canonical(run.section) is None:
-        problems.at_value((*keys, "section"), no_section(run.section, building.sections, profiles))
+    if own is None and profiles is not None and profiles.canonical(run.section) is None:
+        if profiles.canonical_in_building(run.section, isinstance(run, BraceRun)) is None:
+            problems.at_value((*keys, "section"), no_section(run.section, building.sections, profiles))
     if isinstance(own, SpaceElasticSection) and own.missing and not isinstance(run, BraceRun):
         message = f"the section `{run.section}` has no {listed(own.missing)}; only a brace can do without [E-FRAME-02]"
         problems.at_value((*keys, "section"), message)

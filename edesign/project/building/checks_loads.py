@@ -112,7 +112,9 @@ def _secondary(building: Building, problems: Problems, keys: Keys, area: Areas, 
     if not area.secondary_beams:
         problems.at_key((*keys, "secondary_section"), "there are none: give their number, `secondary_beams` [E-KEY-02]")
     own = building.sections.get(name)
-    if own is None and profiles is not None and profiles.canonical(name) is None:
+    known = profiles is None or profiles.canonical(name) or profiles.canonical_in_building(name)
+    if own is None and not known:
+        assert profiles is not None, "without it all names are known"
         problems.at_value((*keys, "secondary_section"), no_section(name, building.sections, profiles))
     elif own is not None and not isinstance(own, (PlateSection, BoxSection)):
         message = f"`{name}` has no class and no resistance; give a profile, or plates [E-FRAME-02]"

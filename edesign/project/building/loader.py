@@ -90,17 +90,14 @@ def parse_building(
 def _completed(building: Building, profiles: Catalogue | None) -> Building:
     """The building with the catalogue's names of sections, beside its own ones, and with all groups named."""
 
-    def section(written: str) -> str:
-        known = None if profiles is None or written in building.sections else profiles.canonical(written)
-        return known or written
-
-    def bar(written: str) -> str:
-        known = None if profiles is None or written in building.sections else profiles.canonical_bar(written)
-        return known or section(written)
+    def section(written: str, brace: bool = False) -> str:
+        if profiles is None or written in building.sections:
+            return written
+        return profiles.canonical(written) or profiles.canonical_in_building(written, brace) or written
 
     def named(run: R, group: str) -> R:
-        of = bar if isinstance(run, BraceRun) else section
-        return run.model_copy(update={"section": of(run.section), "group": run.group or group})
+        known = section(run.section, isinstance(run, BraceRun))
+        return run.model_copy(update={"section": known, "group": run.group or group})
 
     dampers, loads = building.dampers, building.loads
     areas = tuple(

@@ -191,8 +191,8 @@ class Catalogue(Collection[str], Protocol):
     def canonical(self, name: str) -> str | None:
         """Return the catalogue's own name of a section that may be spelled otherwise; None for an unknown one."""
 
-    def canonical_bar(self, name: str) -> str | None:
-        """Return the catalogue's own name of a section of pin-ended braces alone; None for others."""
+    def canonical_in_building(self, name: str, brace: bool = False) -> str | None:
+        """Return the catalogue's own name of a section that only buildings, or their braces, may have; or None."""
 
     def near(self, name: str) -> str:
         """Return the catalogue's names near an unknown one as a clause for messages."""

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
+from edesign.errors import InputError
+from edesign.frame.sections.tapered import tapered_name
 from edesign.project.building.building import Building
 from edesign.project.building.layout import ways
 from edesign.project.building.members import BeamRun, BraceRun, ColumnRun
@@ -224,6 +226,11 @@ class _ProjectText:
             of = name.removesuffix(_WEAK) if name not in self.building.sections else name
             if of in self.building.sections:
                 used[name] = self._own_section(of, weak=of != name)
+            elif tapered_name(of) is not None:
+                raise InputError(
+                    f"{self.building.path.name}: {of} has tapered flanges, which frames in a plane do not have; give "
+                    "the building an I section of plates, or a section with parallel flanges [E-FRAME-02]"
+                )
             elif self.row.space.section(of).axial_alone:
                 shape = self.row.space.section(of)
                 area, inertia = value(1e4 * shape.A, "cm^2"), value(1e8 * shape.I_z, "cm^4")

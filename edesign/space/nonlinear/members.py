@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from edesign.core import Model
+from edesign.errors import InputError
 from edesign.frame.frame_model import IN_SPACE, Member
 from edesign.frame.hinges import MemberBuilder, MemberEnd
 from edesign.frame.loads import MemberLoads, Stretches
@@ -17,6 +18,7 @@ from edesign.frame.panel_zones import BuiltPanel
 from edesign.frame.sections.core_sections import core_law
 from edesign.frame.sections.residual_stress import eccs_stresses, pattern_of
 from edesign.frame.sections.space_section import space_section
+from edesign.frame.sections.tapered import tapered_name
 from edesign.frame.struts import Bar, section_strut
 from edesign.project.actions.beam_loads import points_of_member
 from edesign.project.building.building import Building
@@ -247,6 +249,11 @@ class BuildingMembers:
             return _Section(self._model.elastic_section(axial, about_z, about_y, torsion))
         own = building.sections.get(placed.section)
         assert not isinstance(own, SpaceElasticSection), "it is elastic"
+        if own is None and tapered_name(placed.section) is not None:
+            raise InputError(
+                f"{building.path.name}: {placed.name}: {placed.section} has tapered flanges, whose fibres are not "
+                "made; analyses take it with a material of `law: elastic`, or an I section of plates [E-FRAME-02]"
+            )
         fibres = space_section(own or placed.section, building.fibres.half_flange)
         where = building.where("fibres", "residual_stress")
         rolled = pattern_of(building.fibres, placed.section, own is not None, placed.material, law, where)

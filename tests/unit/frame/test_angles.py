@@ -97,7 +97,7 @@ def test_names() -> None:
         assert steel_section(written).name == "L100x100x10"
     assert steel_section("L 80x120x8").name == "L120x80x8"
     names = BuildingSections()
-    assert names.canonical("L100x10") is None and names.canonical_bar("L100x10") == "L100x100x10"
+    assert names.canonical("L100x10") is None and names.canonical_in_building("L100x10", brace=True) == "L100x100x10"
     assert "L100x100x8" in names.near("L100x100x9") and "braces of buildings alone" in names.near("L100x100x9")
     assert len(sections_of("L")) == 95 and sections_of("L100x1*")[0].kind == "L"
     with pytest.raises(InputError, match="L130x130x12"):
