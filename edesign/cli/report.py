@@ -10,11 +10,14 @@ from typing import Annotated
 import typer
 
 from edesign.cli.shared.pdf_options import AppendixOption, PaperOption, print_options
+from edesign.cli.shared.progress import remaining
 from edesign.cli.shared.streams import LOG_EVERY, progress_line
 from edesign.report.archive.document import write_page
+from edesign.report.page.step import Step
 from edesign.report.pdf.document import write_pdf
 
 LINE_AFTER = 1.0  # s between lines on how far it is, on a terminal
+EARLIEST = 0.05  # share of the work, from which the time that is left is told
 
 
 def report(
@@ -46,11 +49,13 @@ class PageProgress:
 
     def __init__(self) -> None:
         self._every = LINE_AFTER if sys.stderr.isatty() else LOG_EVERY
-        self._last = time.monotonic()
+        self._begin = self._last = time.monotonic()
 
     def __call__(self, line: str) -> None:
-        """Print a line if one is due."""
+        """Print a line if one is due, with the share that is done and the time that is left where they are known."""
         now = time.monotonic()
         if now - self._last >= self._every:
             self._last = now
-            progress_line(line)
+            share = line.share if isinstance(line, Step) else 0.0
+            left = (now - self._begin) * (1.0 - share) / share if share >= EARLIEST else None
+            progress_line(f"{line}: {share:.0%}{remaining(left, ', about ')}" if share else line)

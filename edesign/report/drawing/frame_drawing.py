@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
+
+import numpy as np
 
 from edesign.project.frame.frame import Frame
 from edesign.project.frame.supports import support_name
@@ -144,8 +146,9 @@ def draw_to_scale(
         of_base: names of isolators, and of what acts beside them; (): the frame is not isolated.
         right: end of what is drawn, m.
     """
-    for name, ((x0, y0), (x1, y1)) in elevation.lines.items():
-        axes.plot((x0, x1), (y0, y1), color=STEEL, lw=1.0 if name.startswith("D") else 1.6, zorder=1.5)
+    for braces, width in ((True, 1.0), (False, 1.6)):
+        members = [ends for name, ends in elevation.lines.items() if name.startswith("D") == braces]
+        draw_lines(axes, members, color=STEEL, lw=width, zorder=1.5)
     below = GAP * elevation.height if of_base else 0.0
     if of_base:
         _draw_isolation(axes, {line: x for line, x, _ in bases}, of_base, below)
@@ -161,6 +164,20 @@ def draw_to_scale(
     name_axes(
         axes, [(line, x) for line, x, _ in bases], sorted({y for ends in elevation.lines.values() for _, y in ends})
     )
+
+
+def draw_lines(axes: Axes, lines: Iterable[Sequence[Point] | np.ndarray], **looks: Any) -> None:
+    """Draw lines through points as one path, which is small and quick.
+
+    Args:
+        axes: to draw on.
+        lines: points of each, (n, 2).
+        **looks: properties of matplotlib.
+    """
+    gap = np.full((1, 2), np.nan)
+    points = [part for line in lines for part in (np.asarray(line, dtype=float), gap)]
+    if points:
+        axes.plot(*np.concatenate(points).T, **looks)
 
 
 def name_axes(axes: Axes, lines: Sequence[tuple[str, float]], levels: Sequence[float]) -> None:

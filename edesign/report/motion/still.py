@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from edesign.report.drawing.captions import at_level, plain
-from edesign.report.drawing.frame_drawing import DAMPER, SUPPORTS
+from edesign.report.drawing.frame_drawing import DAMPER, SUPPORTS, draw_lines
 from edesign.report.drawing.panels import arrangement
 from edesign.report.drawing.style import MEAN, legend_below, styled
 from edesign.report.motion.encoding import fitting_scale
@@ -111,12 +111,13 @@ def _draw(axis: Axes, one: Moving, picture: int, scale: float) -> set[int]:
     """Draw a variant and return the classes of the hinges that show."""
     geometry, motion = one.geometry, one.node_motion[picture]
     places = np.array(list(geometry.nodes.values()))
-    for name, pair in geometry.members.items():
-        axis.plot(*places[list(pair)].T, color=UNMOVED, lw=0.6, ls=(0, (3, 2)), zorder=0.9)
-        axis.plot(*member_curve(geometry, name, motion, scale).T, color=one.color, lw=1.4, zorder=1.5)
+    at_rest = (places[list(pair)] for pair in geometry.members.values())
+    draw_lines(axis, at_rest, color=UNMOVED, lw=0.6, ls=(0, (3, 2)), zorder=0.9)
+    curves = (member_curve(geometry, name, motion, scale) for name in geometry.members)
+    draw_lines(axis, curves, color=one.color, lw=1.4, zorder=1.5)
+    braces = (np.transpose(_line(*of, motion, scale, (0.0, 1.0))) for one in geometry.dampers for of in one.braces)
+    draw_lines(axis, braces, color=MEAN, lw=0.5, zorder=1.2)
     for damper in geometry.dampers:
-        for start, end in damper.braces:
-            axis.plot(*_line(start, end, motion, scale, (0.0, 1.0)), color=MEAN, lw=0.5, zorder=1.2)
         if not damper.wide:
             axis.plot(*_line(*damper.body, motion, scale, damper.span), color=MEAN, lw=2.4, zorder=1.6)
             continue

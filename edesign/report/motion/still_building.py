@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from edesign.report.drawing.frame_drawing import SUPPORTS
+from edesign.report.drawing.frame_drawing import SUPPORTS, draw_lines
 from edesign.report.drawing.style import MEAN, new_figure, styled
 from edesign.report.motion.encoding import fitting_scale
 from edesign.report.motion.moving import Moving
@@ -82,22 +81,22 @@ def _draw(
     level = {name for name, pair in geometry.members.items() if abs(np.diff(places[list(pair), 2])[0]) < _SEEN}
     shown = [n for n, ends in at_rest.items() if np.ptp(ends, axis=0).max() > _SEEN and (n in level or not plan)]
     rest = {tuple(map(tuple, ends.round(3).tolist())): ends for ends in (at_rest[n] for n in shown)}
-    _strokes(axis, rest.values(), color=UNMOVED, lw=0.5, zorder=0.9)
+    draw_lines(axis, rest.values(), color=UNMOVED, lw=0.5, zorder=0.9)
     roof = geometry.levels[-1]
     dark = [n for n in shown if not plan or min(places[list(geometry.members[n]), 2]) > roof - _SEEN]
     others = (curves[n][:, across] for n in shown if n not in dark) if plan else ()
-    _strokes(axis, others, color=one.color, lw=0.4, alpha=0.45, zorder=1.2)
-    _strokes(axis, (curves[n][:, across] for n in dark), color=one.color, lw=1.1, zorder=1.5)
+    draw_lines(axis, others, color=one.color, lw=0.4, alpha=0.45, zorder=1.2)
+    draw_lines(axis, (curves[n][:, across] for n in dark), color=one.color, lw=1.1, zorder=1.5)
     for damper in geometry.dampers:
         start, end = (hung_place(point, motion, scale) for point in damper.body)
         body = np.array([start + share * (end - start) for share in damper.span])[:, across]
         lines = [[hung_place(point, motion, scale) for point in brace] for brace in damper.braces]
-        _strokes(axis, (np.array(line)[:, across] for line in lines), color=MEAN, lw=0.4, zorder=1.6)
+        draw_lines(axis, (np.array(line)[:, across] for line in lines), color=MEAN, lw=0.4, zorder=1.6)
         axis.plot(*body.T, color=MEAN, lw=1.8, zorder=1.7)
     for mass, stroke in zip(geometry.masses, one.strokes[picture], strict=True):
         foot = hung_place(mass.at, motion, scale)
         top = foot + scale * float(stroke) * np.eye(3)[mass.direction]
-        _strokes(axis, (np.array((foot, top))[:, across],), color=MEAN, lw=0.6, zorder=1.6)
+        draw_lines(axis, (np.array((foot, top))[:, across],), color=MEAN, lw=0.6, zorder=1.6)
         axis.plot(*top[across], marker="s", ms=4.5, color=TUNED, zorder=1.8)
     if plan:
         return set()
@@ -123,11 +122,3 @@ def _hinges(axis: Axes, one: Moving, picture: int, curves: dict[str, np.ndarray]
         looks: Any = {"mfc": color if kept else "white", "mec": MEAN if kept else color, "mew": 0.4}
         axis.plot(*np.array(places).T, marker="o", ls="none", ms=0.75 * SIZES[rank - 1], zorder=3 + rank, **looks)
     return set(of)
-
-
-def _strokes(axis: Axes, lines: Iterable[np.ndarray], **looks: Any) -> None:
-    """Draw lines (n, 2) as one path, which is small."""
-    gap = np.full((1, 2), np.nan)
-    points = [part for line in lines for part in (line, gap)]
-    if points:
-        axis.plot(*np.concatenate(points).T, **looks)

@@ -26,6 +26,7 @@ from edesign.report.capacity.incremental_results import IncrementalResults, read
 from edesign.report.drawing.captions import UniqueNames, file_name
 from edesign.report.html.section import Heading, Part, Picture, Section, Warnings, made
 from edesign.report.inputs.variant_frames import VariantFrames
+from edesign.report.page.step import Step, steps
 from edesign.report.page.words import words_of
 from edesign.study.results.kinds import RECORDS
 
@@ -57,6 +58,7 @@ class Source:
         self.attributes = archive.attributes
         self.left_out: list[str] = []
         self._progress = progress
+        self._step: Step | None = None
         self._figures = figures
         self._unique = UniqueNames()
 
@@ -192,12 +194,22 @@ class Source:
             for maker in makers:
                 with self.or_left_out(maker.__name__.replace("_", " ")):
                     for name, caption, figure in maker(self.archive):
-                        self._progress(f"figure {name}")
+                        self._drawing(name)
                         with self.or_left_out(f"figure {name}"):
                             found.append(picture_of(self._unique(name), caption, figure))
                         del figure
                         collect()
         return tuple(found)
+
+    def begin(self, step: Step) -> None:
+        """Say that a section is begun; figures that are drawn from now on are of it."""
+        self._step = step
+        self._progress(step)
+
+    def _drawing(self, name: str) -> None:
+        """Say that a figure is drawn."""
+        step = self._step
+        self._progress(f"figure {name}" if step is None else Step(f"{step}: figure {name}", step.share))
 
     @contextmanager
     def or_left_out(self, what: str) -> Iterator[None]:
@@ -270,4 +282,8 @@ def made_of(source: Source, makers: Iterable[Callable[[Source], Section]]) -> li
         source: the archive.
         makers: a function for each section, whose name is reported where it fails.
     """
-    return [section for make in makers if (section := made(make.__name__, partial(make, source)))]
+    found, chosen = [], list(makers)
+    for make, step in zip(chosen, steps([make.__name__ for make in chosen]), strict=True):
+        source.begin(step)
+        found.append(made(make.__name__, partial(make, source)))
+    return [section for section in found if section]

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import logging
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
 from importlib import resources
@@ -16,6 +18,7 @@ from edesign.errors import InputError
 from edesign.report.archive.document import check_page_path, default_page_path, page_of
 from edesign.report.html.render import Page, fill_template
 from edesign.report.html.section import Folded, Part, Section
+from edesign.report.page.step import Step, part_of
 from edesign.report.pdf.appendix import appendix_number, printed
 from edesign.report.pdf.fit import begins_wide, fit_table, picture_size, upright
 from edesign.report.pdf.fonts import font_faces, fonts_folder
@@ -36,6 +39,8 @@ NO_PANGO = (
 )
 HEADED = ("Project number", "Revision")  # of the document, in the head of each page
 DEFAULTS = PrintOptions()
+OF_PAGE, WRITTEN = 0.7, 0.8
+"""Usual shares of the time: of sections and figures in that of a PDF, and of the layout in that of its sheets."""
 
 
 def write_pdf(
@@ -62,8 +67,8 @@ def write_pdf(
     """
     path = default_page_path(archive).with_suffix(".pdf") if path is None else path
     check_pdf(path)
-    page, damage = read_archive(archive, lambda opened: page_of(opened, progress))
-    write_page_as_pdf(page, path, progress, options)
+    page, damage = read_archive(archive, lambda opened: page_of(opened, part_of(progress, 0.0, OF_PAGE)))
+    write_page_as_pdf(page, path, part_of(progress, OF_PAGE, 1.0), options)
     if damage:
         raise DamagedArchive(f"{damage}\n  {path} shows what can be read [E-ARCH-03]")
     return path
@@ -74,8 +79,10 @@ def write_page_as_pdf(
 ) -> Path:
     """Write a page of any report as a PDF; arguments and errors as `write_pdf`."""
     check_pdf(path)
-    progress("laying out the sheets of the PDF")
-    content = _laid_out(print_text(page, options))
+    progress(Step("laying out the sheets of the PDF", 0.0))
+    text = print_text(page, options)
+    with _sheets_told(progress):
+        content = _laid_out(text)
     write_whole(path, lambda part: part.write_bytes(content))
     return path
 
@@ -148,6 +155,29 @@ def _laid_out(text: str) -> bytes:
     content = weasyprint.HTML(string=text, url_fetcher=fetcher).write_pdf()
     assert isinstance(content, bytes)
     return content
+
+
+@contextmanager
+def _sheets_told(progress: Callable[[str], None]) -> Iterator[None]:
+    """Tell the sheets that WeasyPrint lays out; how many there will be, nobody knows before."""
+
+    class Told(logging.Handler):
+        def emit(self, record: logging.LogRecord) -> None:
+            if record.args and "Creating layout" in record.msg:
+                progress(f"laying out the PDF: sheet {record.getMessage().rpartition(' ')[2]}")
+            elif "Creating PDF" in record.msg:
+                progress(Step("writing the sheets of the PDF", WRITTEN))
+
+    logger, told = logging.getLogger("weasyprint.progress"), Told()
+    before = logger.level, logger.propagate
+    logger.addHandler(told)
+    logger.setLevel(logging.INFO)
+    logger.propagate = False
+    try:
+        yield
+    finally:
+        logger.removeHandler(told)
+        logger.level, logger.propagate = before
 
 
 def _engine() -> tuple[Any, Callable[..., Any]]:

@@ -48,6 +48,7 @@ from edesign.report.html.section import Facts, Folded, Headline, Headlines, Part
 from edesign.report.page.project_facts import hazard_rows
 from edesign.report.page.sections.warnings import NONE, warning_table
 from edesign.report.page.source import Source
+from edesign.report.page.step import SHARES, steps
 from edesign.report.tables.table import Table
 from edesign.space.structure.frame import AXES
 
@@ -59,7 +60,12 @@ def building_sections(source: Source) -> list[Section]:
     results = BuildingResults(source.archive)
     results.group()
     missing: list[str] = []
-    sections = [made(which[1], partial(_section, source, results, missing, *which)) for which in _SECTIONS]
+    sections = []
+    for which, step in zip(
+        _SECTIONS, steps([anchor if anchor in SHARES else title for anchor, title, _ in _SECTIONS]), strict=True
+    ):
+        source.begin(step)
+        sections.append(made(which[1], partial(_section, source, results, missing, *which)))
     first, *others = sections
     lost = [Warnings("What cannot be read of the archive", tuple(missing))] if missing else []
     first = Section(first.id, first.title, first.intro, (*lost, *first.parts))
