@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 P = ParamSpec("P")
 FORMATS = ("svg", "png", "pdf")
 MOST_TICKS = 13
-BESIDE, ORDINATE = 0.12, 0.5  # inches from the title of axes to those beside it, and of the labels of the ordinate
+BESIDE, ORDINATE = 0.18, 0.5  # inches from the title of axes to those beside it, and of the labels of the ordinate
 BEFORE, AFTER, TARGET, MEAN = "#8a8f98", "#1f5fa8", "#c0392b", "#111111"
 """Colours that stay apart in grey print and for colour-blind readers."""
 

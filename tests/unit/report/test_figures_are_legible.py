@@ -1,0 +1,140 @@
+"""No text of a figure over another, and none cut: by the boxes of all texts, of archives of several kinds."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from building_examples import SMALL
+from matplotlib.figure import Figure
+from unit.report.calibration_example import calibration
+from unit.report.figure_archive import RECORDS, TEXT, history
+
+from edesign.archive.dataset import Group
+from edesign.archive.reader import open_archive
+from edesign.archive.writer import ArchiveWriter
+from edesign.frame.building_file import load_building
+from edesign.frame.project_file import load_project
+from edesign.report.archive.figures import all_figures
+from edesign.report.drawing.panels import LINE, PITCH, arrangement
+from edesign.report.drawing.style import new_figure, styled
+from edesign.report.drawing.text_size import text_size, wrapped
+from edesign.report.html.inline_svg import rendered
+from edesign.report.html.lettering import Written, faults, faults_of
+from edesign.report.model_drawings import drawings_of
+from edesign.report.page.calibration import calibration_page
+from edesign.study.run.building import run_building
+
+LONGEST = ("bare_without_any_dampers", "dampers_in_middle_bay_01", "stiffer_dampers_by_30_pc")
+OTHERS = ("softer_dampers_by_20_pct", "much_softer", "warm_dampers_35_degrees", "oil")
+LEVELS = ("serviceability_of_the_hospital", "DBE", "MCE")
+
+
+def many_variants(folder: Path) -> Path:
+    """Seven variants with names of up to 24 letters under two records at three levels, one of them with a long name."""
+    root = Group()
+    root.add("project_text", (), np.array(TEXT), "", "project")
+    with ArchiveWriter(folder / "many.h5", root) as writer:
+        for i, variant in enumerate((*LONGEST, *OTHERS)):
+            for k, level in enumerate(LEVELS):
+                for j, record in enumerate(RECORDS[:2]):
+                    group = history(variant, record, 100 * i + 10 * k + j, (0.4 + 0.1 * i) * (0.03, 1.0, 2.0)[k])
+                    group.attributes["level"] = level
+                    writer.write(f"analyses/{variant}.{level}.{record}", group)
+        return writer.finish({"status": "completed"})
+
+
+def building(folder: Path) -> Path:
+    """A building with many bays and sections with long names, as it is designed elastically."""
+    text = SMALL.replace("x: [6 m, 4 m]", "x: {count: 7, width: 6 m}").replace("[A, C]", "[A, H]")
+    text = text.replace("storeys: [4 m, 3 m]", "storeys: {count: 9, height: 3.5 m}").replace(
+        "CHS101.6x5", "CHS219.1x12.5"
+    )
+    text = text.replace("HEB200", "HEM1000").replace("IPE300", "IPE400").replace("IPE240", "IPE400")
+    (folder / "large.yaml").write_text(text, encoding="utf-8")
+    return run_building(load_building(folder / "large.yaml"))[0]
+
+
+@pytest.mark.parametrize("make", [many_variants, building])
+def test_texts_of_all_figures_of_an_archive_stand_apart(make: object, tmp_path: Path) -> None:
+    with open_archive(make(tmp_path)) as archive:  # type: ignore[operator]
+        found = {name: faults(figure) for name, _, figure in all_figures(archive)}
+    assert len(found) > 10
+    assert {name: said for name, said in found.items() if said} == {}
+
+
+def test_texts_of_the_figures_of_a_calibration_stand_apart(monkeypatch: pytest.MonkeyPatch) -> None:
+    seen: dict[str, list[str]] = {}
+
+    def watched(figure: Figure, name: str) -> object:
+        renderer = rendered(figure, name)
+        seen[name] = faults_of(renderer.written, renderer.width, renderer.height)
+        return renderer
+
+    monkeypatch.setattr("edesign.report.html.inline_svg.rendered", watched)
+    calibration_page(calibration())
+    assert seen and {name: said for name, said in seen.items() if said} == {}
+
+
+def box(x: float, y: float, wide: float, high: float = 6.0, text: str = "a") -> Written:
+    return Written(text, np.array([(x, y), (x + wide, y), (x + wide, y + high), (x, y + high)]))
+
+
+def test_what_overlaps_or_is_cut_or_reads_as_one_is_told() -> None:
+    turned = Written("t", np.array([(10.0, 10.0), (20.0, 20.0), (16.0, 24.0), (6.0, 14.0)]))
+    beside = box(17.5, 10.0, 8.0, 4.0, "b")  # in the box around the turned one, but not in it
+    assert faults_of([turned, beside], 100.0, 100.0) == []
+    assert faults_of([turned, box(12.0, 14.0, 8.0, 4.0, "b")], 100.0, 100.0) == ["`t` and `b` overlap"]
+    assert faults_of([box(95.0, 10.0, 10.0)], 100.0, 100.0) == ["`a` is cut"]
+    assert faults_of([box(10.0, 10.0, 10.0), box(20.5, 10.0, 9.0, text="b")], 100.0, 100.0) == [
+        "`a` and `b` read as one"
+    ]
+    assert faults_of([box(10.0, 10.0, 10.0), box(23.0, 10.0, 9.0, text="b")], 100.0, 100.0) == []
+
+
+@styled
+def _crowded(title: str) -> Figure:
+    figure, (cells,) = new_figure(1, 5, 5.0, 2.0)
+    for axis in cells:
+        axis.plot([-1e-5, 1e-3], [0.0, 1.0])
+        axis.set_xticks(np.linspace(0.0, 1e-3, 11), [f"{value:.5f}" for value in np.linspace(0.0, 1e-3, 11)])
+        axis.set_title(title, loc="left")
+    return figure
+
+
+def test_labels_of_ticks_and_titles_give_way() -> None:
+    """Eleven labels of 7 signs on an inch: some are left out, that of 0 is not; a long title takes several lines."""
+    figure = _crowded("a_variant_with_a_long_name, 20 records")
+    assert faults(figure) == []
+    texts = [one.text for one in rendered(figure, "x").written]
+    assert texts.count("0.00000") == 5 and texts.count("0.00010") == 0
+    assert {"a_variant_", "records"} <= set(texts)
+
+
+def test_lines_are_as_wide_as_the_room_and_lose_nothing() -> None:
+    words = "stiffer_dampers_by_30_pc: columns and dampers, 2 records at EN 1998-1"
+    lines = wrapped(words, 1.0, 8.0)
+    assert re.sub(r"\s", "", "".join(lines)) == words.replace(" ", "")
+    assert all(text_size(line, 8.0)[0] <= 1.0 for line in lines) and not any(line.endswith("1998-") for line in lines)
+
+
+@pytest.mark.parametrize(("count", "bays", "storeys"), [(1, 3, 10), (3, 27, 8), (7, 3, 3), (5, 1, 40), (2, 12, 2)])
+def test_bays_and_storeys_of_elevations_can_be_told_apart(count: int, bays: int, storeys: int) -> None:
+    xs, ys = (np.arange(bays + 1) * 7.0).tolist(), (np.arange(storeys + 1) * 3.5).tolist()
+    found = arrangement(count, xs, ys, xs[-1] or 1.0, ys[-1])
+    assert found.columns * found.rows >= count > found.columns * (found.rows - 1)
+    assert found.columns * found.width <= LINE + 1e-9
+    assert found.width / bays >= min(PITCH, LINE / bays) - 1e-9
+    assert found.height / storeys >= min(PITCH, 6.4 / storeys) - 1e-9
+    assert not found.true or found.width / xs[-1] == pytest.approx(found.height / ys[-1]) or found.width == 1.5
+
+
+def test_no_axis_of_a_wide_frame_is_without_its_name(tmp_path: Path) -> None:
+    text = TEXT.replace("bays: [6 m]", f"bays: [{', '.join(['7 m'] * 6 + ['2 m'] + ['7 m'] * 20)}]")
+    (tmp_path / "wide.yaml").write_text(text, encoding="utf-8")
+    _, _, figure = next(iter(drawings_of(load_project(tmp_path / "wide.yaml"), ("wide", "wide.yaml"))))
+    texts = [one.text for one in rendered(figure, "wide").written]
+    assert faults(figure) == []
+    assert {"A", "G", "H", "Z", "AA", "AB"} <= set(texts)
