@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import count, groupby, pairwise
@@ -19,6 +20,8 @@ LARGEST = 0.6  # inches a metre
 LEAST_BAY, LEAST_STOREY = 0.75, 0.5  # inches, for which frames of another shape are drawn at two scales
 DIMENSIONS, TOTAL, NAMES = 0.5, 0.69, 0.9  # of rows below the base, inches
 HEIGHTS, LEVELS = 0.3, 0.42  # of columns left of the frame
+FRAME = 0.16  # of the names of frames that stand in a row, inches above them
+_OF_GRID = re.compile("([A-Z]+)([0-9]+)")
 LEANING = 0.5  # of the last bay, from the frame to its leaning column
 BUBBLE = 0.11
 BELOW, ROW = 0.62, 0.3  # of the names of axes and of the spans of a plan, inches beside it
@@ -68,6 +71,11 @@ class Grid:
         return self.across * x, self.up * y
 
     @property
+    def parts(self) -> list[tuple[int, int]]:
+        """The numbers of the first and last axis of each frame that stands here; one of a grid without a frame."""
+        return [(0, len(self.xs) - 1)]
+
+    @property
     def true(self) -> bool:
         """Whether widths and heights have one scale."""
         return abs(self.across - self.up) < 1e-9 * self.up
@@ -109,6 +117,14 @@ class Elevation(Grid):
         """Abscissa of the leaning column on the sheet, inches."""
         return self.width + LEANING * self.across * self.frame.bay_widths[-1]
 
+    @property
+    def parts(self) -> list[tuple[int, int]]:
+        """The numbers of the first and last axis of each frame: those that no beam joins stand in a row."""
+        joined = {bay for bay, _ in self.frame.beam_at}
+        last = len(self.xs) - 1
+        ends = [bay for bay in range(1, last + 1) if bay not in joined]
+        return list(zip([0, *ends], [*(bay - 1 for bay in ends), last], strict=True))
+
     def storey(self, number: int) -> float:
         """Return the height of a storey, inches."""
         return self.up * self.frame.storey_heights[number - 1]
@@ -125,13 +141,37 @@ def draw_axes(sheet: Sheet, grid: Grid, dimensions: bool = True) -> None:
     xs = [grid.across * x for x in grid.xs]
     draw_axis_names(sheet, grid.names, [(x, below) for x in xs], [(x, -0.27) for x in xs])
     if dimensions:
-        marks = [(x, -DIMENSIONS) for x in xs]
-        draw_chain(sheet, marks, grid.xs, 0.0)
-        if len(xs) > 2:
-            low = -TOTAL
-            draw_chain(sheet, [(xs[0], low), (xs[-1], low)], (grid.xs[0], grid.xs[-1]), 0.0)
+        for first, last in grid.parts:
+            if last > first:
+                marks = [(x, -DIMENSIONS) for x in xs[first : last + 1]]
+                draw_chain(sheet, marks, grid.xs[first : last + 1], 0.0)
+            if last > first + 1:
+                ends = (xs[first], xs[last]), (grid.xs[first], grid.xs[last])
+                draw_chain(sheet, [(x, -TOTAL) for x in ends[0]], ends[1], 0.0)
         draw_chain(sheet, [(xs[0] - HEIGHTS, grid.up * y) for y in grid.ys], grid.ys, 90.0)
+    if len(grid.parts) > 1:
+        for first, last in grid.parts:
+            name = name_of_frame(grid.names[first : last + 1])
+            if name:
+                at = 0.5 * (xs[first] + xs[last]), grid.top + FRAME
+                sheet.place([Spot(*at, "center", "bottom")], f"frame {name}", (TEXT, SMALLEST), SOFT)
     _levels(sheet, grid, xs[0] - (LEVELS if dimensions else 0.15))
+
+
+def name_of_frame(names: Sequence[str]) -> str:
+    """Return the name of a plane frame by the names of its column lines: X1 of A1, B1, C1, and YA of A1, A2.
+
+    Args:
+        names: of its lines.
+
+    Returns:
+        The name; "" where the lines have no grid line in common.
+    """
+    found = [_OF_GRID.fullmatch(name) for name in names]
+    letters, numbers = ({of[k] for of in found if of is not None} for k in (1, 2))
+    if len(names) < 2 or None in found or 1 not in (len(letters), len(numbers)):
+        return ""
+    return f"X{numbers.pop()}" if len(numbers) == 1 else f"Y{letters.pop()}"
 
 
 def draw_plan_axes(sheet: Sheet, grid: Grid, numbers: Sequence[str]) -> None:
