@@ -10,6 +10,7 @@ import pytest
 from edesign.cli import report
 from edesign.cli.shared import progress
 from edesign.cli.shared.progress import PlainLines, duration, listener, remaining
+from edesign.report.page.step import Step
 from edesign.study.run.progress import Progress
 
 
@@ -124,3 +125,18 @@ def test_lines_of_a_report_come_once_a_minute_and_on_a_terminal_more_often(
     lines = report.PageProgress()
     lines("figure 1")
     assert capsys.readouterr().err == "figure 1\n"
+
+
+def test_lines_of_a_report_tell_the_share_and_the_time_that_is_left(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """After 10 s a quarter is done: 30 s are left."""
+    monkeypatch.setattr(report, "LOG_EVERY", 0.0)
+    clock = iter((0.0, 10.0, 20.0))
+    monkeypatch.setattr(report.time, "monotonic", lambda: next(clock))
+    lines = report.PageProgress()
+    lines(Step("section 3 of 9, hinges", 0.25))
+    lines("laying out the PDF: sheet 3")
+    shown = capsys.readouterr()
+    assert shown.err == "section 3 of 9, hinges: 25%, about 30 s left\nlaying out the PDF: sheet 3\n"
+    assert shown.out == ""

@@ -6,6 +6,7 @@ import re
 import sys
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import matplotlib.font_manager
 import pytest
@@ -17,11 +18,16 @@ from edesign.errors import ArchiveError, InputError
 from edesign.report.html.inline_svg import picture_of
 from edesign.report.html.render import Cover, Page
 from edesign.report.html.section import Facts, Folded, Heading, Part, Picture, Section
+from edesign.report.page.step import Step, part_of, steps
 from edesign.report.pdf.appendix import appendix_number, printed
-from edesign.report.pdf.document import check_pdf_engine, print_text, write_page_as_pdf
-from edesign.report.pdf.fit import fit_table, picture_size, text_width
+from edesign.report.pdf.document import WRITTEN, check_pdf_engine, print_text, write_page_as_pdf
+from edesign.report.pdf.fit import fit_table, picture_size, text_width, upright
 from edesign.report.pdf.fonts import fonts_folder
 from edesign.report.pdf.paper import MARGIN_SIDE, PAPERS, PrintOptions
+from edesign.report.pdf.texts import begun_at_left
+from edesign.report.tables import column
+from edesign.report.tables.table import TableSpec
+from edesign.report.tables.unit import ONE
 
 TITLE = 'Tower "A" of <b>Fort-de-France</b> & annexes, which has a title that is longer than the head of a page can be'
 COVER = Cover(
@@ -247,3 +253,69 @@ def test_a_missing_library_of_the_system_is_named(tmp_path: Path, monkeypatch: p
         check_pdf_engine()
     assert "more" not in str(raised.value)
     monkeypatch.delitem(sys.modules, "weasyprint", raising=False)
+
+
+def test_figures_of_single_records_are_printed_behind_the_sections() -> None:
+    """Of a section that stands aside tables stay, figures and their headings go; nothing is lost."""
+    table, loops, fold = plain_table("Peaks", ("a",), [["1"]]), _picture("loops"), Folded("More", (_picture("more"),))
+    section = Section("dampers", "Dampers", (), (table, Heading("DBE"), loops, fold), aside=True)
+    shown = printed([section], appendix=False)
+    assert (shown.sections[0].parts, shown.left_out) == ((table,), ("Dampers (2)",))
+    (appendix,) = printed([section], appendix=True).appendices
+    assert appendix.parts == (Heading("DBE"), loops, Heading("More"), *fold.parts)
+
+
+def test_wide_tables_of_numbers_are_cut_between_levels() -> None:
+    """Nine sets of three variants at three levels with differences: the columns of a level stay together."""
+    levels = ("FOE", "DBE", "MCE")
+    sets = [f"{variant}, {level}" for level in levels for variant in ("bare", "elastomers", "oil_dampers")]
+    made = [column.text("measure")]
+    for name in sets:
+        made.append(column.col(column.literal(name), ONE, lambda row: 123456.7))
+        made += [column.col("diff.", ONE, lambda row: -12.3, joined=True)] * (not name.startswith("bare"))
+    rows = [{"measure": f"residual interstorey drift {i}"} for i in range(3)]
+    table = TableSpec[dict[str, Any]]("t", "Mean response", tuple(made), notes=("A note.",)).of(rows)
+    paper = PAPERS["A4"]
+    assert fit_table(table, paper).wide
+    parts = upright(table, paper)
+    assert [part.headers[0] for part in parts] == ["measure"] * len(parts) and len(parts) > 1
+    assert [header for part in parts for header in part.headers[1:]] == table.headers[1:]
+    assert all(not fit_table(part, paper).wide for part in parts)
+    assert [part.title for part in parts] == ["Mean response", *[""] * (len(parts) - 1)]
+    assert [list(part.notes) for part in parts] == [*[[]] * (len(parts) - 1), ["A note."]]
+    for level in levels:
+        assert sum(any(header.endswith(level) for header in part.headers) for part in parts) == 1
+    words = plain_table("Words", [f"column{i}" for i in range(20)], [["a word " * 4] * 20])
+    assert upright(words, paper) == [words]
+
+
+def test_texts_of_figures_begin_where_they_stood() -> None:
+    """IPE400 of 7.5 points at its middle: half of its width, measured by matplotlib, to the left; turned texts too."""
+    half = 0.5 * 75.0 * TextPath((0, 0), "IPE400", size=1.0).get_extents().width
+    found = begun_at_left('<text x="500" y="10" style="font-size:75px;text-anchor:middle">IPE400</text>')
+    assert float(re.findall(r'x="(-?\d+)"', found)[0]) == pytest.approx(
+        500 - half, abs=8.0
+    )  # the blank before an I is 0.1 em
+    assert "text-anchor" not in found
+    turned = '<text transform="translate(5 6) rotate(-90)" style="font-size:75px;text-anchor:end">N_E<tspan/></text>'
+    assert float(re.findall(r' x="(-?\d+)"', begun_at_left(turned))[0]) < 0.0
+    plain = '<text x="500" y="10" style="font-size:75px">IPE400</text>'
+    assert begun_at_left(plain) == plain
+
+
+def test_figures_have_no_picture_for_a_text(tmp_path: Path) -> None:
+    """Viewers cut the first letter of a text that is a form of its own ("PE400" for IPE400)."""
+    from pypdf import PdfReader
+
+    path = write_page_as_pdf(_page(_picture("one")), tmp_path / "a.pdf")
+    assert not any(sheet["/Resources"].get("/XObject") for sheet in PdfReader(path).pages)
+
+
+def test_the_share_of_a_report_is_told(tmp_path: Path) -> None:
+    told: list[str] = []
+    write_page_as_pdf(_page(_picture("one")), tmp_path / "a.pdf", part_of(told.append, 0.7, 1.0))
+    assert [one.share for one in told if isinstance(one, Step)] == pytest.approx([0.7, 0.7 + 0.3 * WRITTEN])
+    assert "laying out the PDF: sheet 1" in told
+    shares = [step.share for step in steps(["summary", "model", "hinges", "provenance"])]
+    assert shares[0] == 0.0 and shares == sorted(shares) and shares[-1] < 1.0
+    assert str(steps(["moment_rotation"]).__next__()) == "section 1 of 1, moment rotation"
