@@ -111,7 +111,6 @@ class Along:
 
         Args:
             values: (n,).
-            scale: inches of a unit.
         """
         base = self.start + self.stations[:, None] * (self.end - self.start)
         return np.asarray(base + scale * values[:, None] * self.side)

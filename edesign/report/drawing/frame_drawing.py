@@ -170,7 +170,6 @@ def draw_lines(axes: Axes, lines: Iterable[Sequence[Point] | np.ndarray], **look
     """Draw lines through points as one path, which is small and quick.
 
     Args:
-        axes: to draw on.
         lines: points of each, (n, 2).
         **looks: properties of matplotlib.
     """

@@ -69,7 +69,6 @@ def arrangement(count: int, xs: Iterable[float], ys: Iterable[float], wide: floa
     Widths and heights have two scales where one scale would leave storeys lower than `PITCH` on a sheet.
 
     Args:
-        count: of elevations.
         xs: places of column lines, m.
         ys: levels of floors, m.
         wide: what is drawn of an elevation, m.

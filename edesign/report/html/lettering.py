@@ -47,7 +47,6 @@ def faults_of(written: Sequence[Written], width: float, height: float) -> list[s
     """Return what is wrong with texts on a sheet; see `faults`.
 
     Args:
-        written: the texts.
         width, height: of the sheet, points.
     """
     texts = [one for one in written if one.text.strip()]

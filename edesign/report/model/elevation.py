@@ -161,9 +161,6 @@ def draw_axes(sheet: Sheet, grid: Grid, dimensions: bool = True) -> None:
 def name_of_frame(names: Sequence[str]) -> str:
     """Return the name of a plane frame by the names of its column lines: X1 of A1, B1, C1, and YA of A1, A2.
 
-    Args:
-        names: of its lines.
-
     Returns:
         The name; "" where the lines have no grid line in common.
     """
