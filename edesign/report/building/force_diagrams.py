@@ -162,7 +162,7 @@ def _draw(sheet: Sheet, results: BuildingResults, frame: str, combination: int, 
     largest = max((float(np.abs([one.low, one.high]).max()) for one in found.values()), default=0.0)
     bay, storey = (float(np.diff(places).min()) for places in ([scaled[0] * x for x in grid.xs], scaled[1] * levels))
     scale = HIGHEST * min(bay, storey) / largest if largest else 0.0
-    sheet.lines([(one.start, one.end) for one in found.values()], FAINT, 1.0)
+    sheet.lines([np.array((one.start, one.end)) for one in found.values()], FAINT, 1.0)
     shown = [one for one in found.values() if np.abs([one.low, one.high]).max() > 1e-6 * largest]
     bands = [one for one in shown if one.alternating.any()]
     sheet.shapes([[*one.at(one.low, scale), *one.at(one.high, scale)[::-1]] for one in bands], BAND, AFTER, 0.3, 1.2)
@@ -170,7 +170,7 @@ def _draw(sheet: Sheet, results: BuildingResults, frame: str, combination: int, 
     zero = [[*one.at(0.0 * one.steady, scale), *one.at(one.steady, scale)[::-1]] for one in plain_ones]
     sheet.shapes(zero, BAND, AFTER, 0.3, 1.2)
     sheet.lines([one.at(one.steady, scale) for one in shown], STEADY, 0.8)
-    sheet.lines([(one.start, one.end) for one in found.values()], INK, 0.7)
+    sheet.lines([np.array((one.start, one.end)) for one in found.values()], INK, 0.7)
     keys = list(zip(*(results.values("members", name).tolist() for name in ("kind", "section", "storey")), strict=True))
     for key in dict.fromkeys(keys[n] for n in found):
         alike = [n for n in found if keys[n] == key]

@@ -273,13 +273,13 @@ def fit_titles(figure: Figure) -> None:
         if cell is None:
             continue
         grid, columns = cell.get_gridspec(), cell.colspan
-        ratios = grid.get_width_ratios()
-        share = sum(ratios[i] for i in columns) / sum(ratios)
+        ratios = np.asarray(grid.get_width_ratios(), dtype=float)
+        share = float(ratios[columns.start : columns.stop].sum() / ratios.sum())
         room = share * (figure.get_figwidth() - ORDINATE) - BESIDE
         for title in (axes.title, axes._left_title):  # type: ignore[attr-defined]
             words = title.get_text()
             if words and "\n" not in words:
-                title.set_text("\n".join(wrapped(words, room, title.get_fontsize())))
+                title.set_text("\n".join(wrapped(words, room, float(title.get_fontsize()))))
 
 
 def align_ordinates(column: Iterable[Axes]) -> None:

@@ -27,7 +27,7 @@ BADGE = 1.4  # em around a verdict
 SCALE = 0.92  # of figures: their type of 8 points is then about as large as that of the tables
 HEADING, AROUND = 34.0, 27.0  # points of a heading above a figure, and of the blank around the figure and its caption
 CAPTION_SIZE, CAPTION_LINE, CAPTION_WIDTH = 7.2, 1.4, 440.0  # type, line over type, and width, points; as in print.css
-LEAST_SCALE = 0.74  # to which a figure is made smaller so that two stand on a sheet; its type is then 6 points
+LEAST_SCALE = 0.69  # to which a figure is made smaller so that two stand on a sheet: its type is then 5.5 points
 
 _TAG = re.compile(r"<[^>]*>")
 _BOX = re.compile(r'viewBox="[-\d.]+ [-\d.]+ ([\d.]+) ([\d.]+)"')

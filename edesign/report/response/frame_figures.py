@@ -47,6 +47,7 @@ K = TypeVar("K")
 
 COLORS = ("#fbd9a0", "#f2994a", "#c8452f", "#5b0f2e")
 SIZES = (3.0, 4.2, 5.4, 6.8)  # points; size and darkness grow together, so that grey print keeps the order
+DRAWN = 1.08  # of the width and height of a frame, with the margins around it
 OFFSET = 0.085  # of a hinge from the end of its member, share of a bay
 
 
@@ -238,8 +239,8 @@ def hinge_figure(frame: Elevation, panels: Sequence[Hinges], scale: Scale = ROTA
     from matplotlib.lines import Line2D
 
     lines = frame.lines
-    places = [end for line in lines.values() for end in line]
-    arranged = arrangement(len(panels), *zip(*places, strict=True), 1.08 * frame.width, 1.08 * frame.height)
+    xs, ys = ([end[k] for line in lines.values() for end in line] for k in (0, 1))
+    arranged = arrangement(len(panels), xs, ys, DRAWN * frame.width, DRAWN * frame.height)
     figure, axes = arranged.figure()
     offset = OFFSET * frame.bay
     for axis in axes[len(panels) :]:
