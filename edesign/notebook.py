@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from html import escape
+from importlib import import_module
 
 SHOWN = 12  # names of a list
+PICTURES = "edesign.report.notebook_pictures"
+"""The module of the report that draws; it is loaded when a notebook shows something, as nothing here knows reports."""
 
 _LEFT, _RIGHT = (f"style='text-align:{side}'" for side in ("left", "right"))
 
@@ -19,6 +22,16 @@ def facts_html(title: str, rows: Iterable[tuple[str, object]]) -> str:
     """
     shown = [(name, _text(value)) for name, value in rows if value not in (None, "", [], ())]
     return table_html(title, (), [[name.replace("_", " "), text] for name, text in shown], left=2)
+
+
+def pictures_html(thing: object) -> str:
+    """Return drawings, figures or tables of a model, a record or results as HTML.
+
+    Args:
+        thing: a project, study or building, a record, or what a run, a match or a fit returned.
+    """
+    html: str = import_module(PICTURES).html_of(thing)
+    return html
 
 
 def table_html(

@@ -9,6 +9,7 @@ import numpy as np
 
 from edesign.errors import InputError
 from edesign.ground_motion.band_limited import band_limited_at
+from edesign.notebook import facts_html, pictures_html
 
 _TOLERANCE = 1e-9  # of a step: durations and steps are decimal numbers that floats hold to about 1e-13
 _BLOCK = 1 << 16  # samples that are interpolated at a time, for memory
@@ -54,6 +55,11 @@ class Record:
             digest = hashlib.sha256(np.array(step, "<f8").tobytes())
             digest.update(samples.astype("<f8", copy=False).data)
             object.__setattr__(self, "checksum", digest.hexdigest())
+
+    def _repr_html_(self) -> str:
+        rows = {"source": self.source, "PGA": f"{self.pga:.4g} m/s2", "duration": f"{self.duration:.4g} s"}
+        rows |= {"time step": f"{self.time_step:.4g} s", "remarks": "; ".join(self.remarks)}
+        return facts_html(self.name, rows.items()) + pictures_html(self)
 
     @property
     def pga(self) -> float:

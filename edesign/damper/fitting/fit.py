@@ -11,6 +11,7 @@ import numpy as np
 from edesign.damper.damper import Damper
 from edesign.damper.fitting.thermal import Thermal
 from edesign.damper.law import Law
+from edesign.notebook import pictures_html
 
 
 @dataclass(frozen=True)
@@ -96,6 +97,9 @@ class Fit:
     independent: float
     against: Literal["forces", "properties"] = "forces"
     seconds: float = field(default=0.0, compare=False)
+
+    def _repr_html_(self) -> str:
+        return pictures_html(self)
 
     @property
     def all_values(self) -> dict[str, float]:

@@ -12,7 +12,7 @@ from typing import Any, ClassVar, Self
 from pydantic import PrivateAttr
 
 from edesign.errors import InputError
-from edesign.notebook import facts_html
+from edesign.notebook import facts_html, pictures_html
 from edesign.project.reading.base import Model
 from edesign.project.reading.problems import FileProblems, Problems, keys_text
 from edesign.project.reading.values import KeyPath, changed_text, first_difference, shown
@@ -70,7 +70,7 @@ class FileModel(Model):
     def _repr_html_(self) -> str:
         keys = [name for name in type(self).model_fields if name in self.model_fields_set and name != "title"]
         rows = [(name, _in_short(getattr(self, name))) for name in keys]
-        return facts_html(f"{getattr(self, 'title', '')} ({self._path.name})".strip(), rows)
+        return facts_html(f"{getattr(self, 'title', '')} ({self._path.name})".strip(), rows) + pictures_html(self)
 
     def read_from(self, path: Path, text: str, root: Node, read: Reader | None = None) -> Self:
         """Set, once, the path and text that the model was read from.

@@ -25,6 +25,7 @@ from edesign.ground_motion.record_choice import choice_facts
 from edesign.ground_motion.selection import Selection, select_records
 from edesign.ground_motion.selection_scaling import SelectionOptions
 from edesign.ground_motion.sources import Found
+from edesign.notebook import pictures_html
 from edesign.optional_stages import optional
 from edesign.study.motions.motions import Motion, fit, prepare_motions, raise_suite
 from edesign.study.motions.record_groups import criteria, suite_groups
@@ -48,6 +49,9 @@ class MatchSummary:
     motions: dict[str, Motion]
     criteria: tuple[RuleCheck, ...]
     seconds: float
+
+    def _repr_html_(self) -> str:
+        return pictures_html(self)
 
     @property
     def failed(self) -> tuple[Motion, ...]:

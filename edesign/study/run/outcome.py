@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
+from edesign.notebook import facts_html, pictures_html
+
 COMPLETED, FAILED = "completed", "failed"
 COLLAPSED, SKIPPED = "collapsed", "skipped"
 """Of histories of incremental studies only: the frame fell, which is what they look for; and what is therefore not run,
@@ -50,6 +52,11 @@ class RunSummary:
     outcomes: tuple[Outcome, ...]
     notes: tuple[str, ...] = ()
     seconds: float = 0.0
+
+    def _repr_html_(self) -> str:
+        failed = [f"{outcome.name}: {outcome.reason}" for outcome in self.failed]
+        rows = {"analyses": len(self.outcomes), "failed": failed, "seconds": f"{self.seconds:.1f}"}
+        return facts_html(str(self.archive), rows.items()) + pictures_html(self)
 
     @property
     def failed(self) -> tuple[Outcome, ...]:

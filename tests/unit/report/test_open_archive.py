@@ -10,6 +10,7 @@ from plain_tables import plain_table
 from unit.report.figure_archive import small_archive
 
 import edesign
+from edesign.damper.testing.measured_histories import DamperTest
 from edesign.errors import ArchiveError, InputError
 from edesign.report.tables.column import col, text
 from edesign.report.tables.table import Table
@@ -69,7 +70,33 @@ def test_notebooks_show_projects_in_short(tmp_path: Path) -> None:
     project = edesign.load_project(path)
     assert repr(project).startswith(f"<Project {path.name}: ") and len(repr(project)) < 200
     shown = project._repr_html_()
-    assert "frame" in shown and "analyses" in shown and len(shown) < 10_000
+    assert "frame" in shown and "analyses" in shown and shown.count("data:image/svg+xml") == 2
+
+
+def test_notebooks_draw_records_and_show_the_tables_of_runs_matches_and_fits(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    project = edesign.load_project(edesign.new_project("frame"))
+    record = edesign.read_record_file("frame/records/simulated_4.AT2")
+    shown = record._repr_html_()
+    assert "PGA" in shown and shown.count("data:image/svg+xml") == 1
+    done = edesign.run_project(project, only=["gravity"])
+    assert "<table>" in done._repr_html_() and str(done.archive) in done._repr_html_()
+    target = edesign.elastic_spectrum(edesign.checked_hazard(project))
+    matched = edesign.match_records({"a": record}, target, edesign.MatchOptions("scale"), "matched.h5")
+    assert "<table>" in matched._repr_html_()
+    time = np.linspace(0.0, 2.0, 401)
+    u, v = 0.01 * np.sin(np.pi * time), 0.01 * np.pi * np.cos(np.pi * time)
+    fit = edesign.fit_law("kelvin_voigt", [DamperTest("sine", time, u, 2e6 * u + 4e4 * v)])
+    assert "kelvin_voigt" in fit._repr_html_() and "<table>" in fit._repr_html_()
+
+
+def test_a_model_that_cannot_be_drawn_says_why(tmp_path: Path) -> None:
+    project = edesign.load_project(edesign.new_project(tmp_path / "new", kind="damped"))
+    wrong = project.with_values("dampers.laws.elastomer.parameters", "thesis_table_9_9")
+    shown = wrong._repr_html_()
+    assert "frame" in shown and "thesis_table_9_9" in shown and "data:image/svg+xml" not in shown
 
 
 def test_tables_of_any_report_are_data_frames() -> None:
