@@ -360,7 +360,8 @@ class Designer(ABC, Generic[S]):
             return Search((only,), only, sizing.reason)
 
         least = self.least()
-        tried, kept = self._outcomes(respond, judge, resume, least is not None), self._kept(keep)
+        tried = self._outcomes(respond, judge, resume, least is not None, verify.rounds)
+        kept = self._kept(keep)
         optimum: Optimum | None = getattr(self._spec, "optimum", None)
         if optimum is not None:
             return search_optimum(self.make, tried, optimum.range, optimum.least, verify.rounds, verify.precision, kept)
@@ -372,7 +373,7 @@ class Designer(ABC, Generic[S]):
         return search(self.make, tried, *limits, kept, self._value, self.settled)
 
     def _outcomes(
-        self, respond: Respond, judge: Judge, resume: Group | None, drifts: bool
+        self, respond: Respond, judge: Judge, resume: Group | None, drifts: bool, rounds: int
     ) -> Callable[[S, int, float], RoundOutcome]:
         """The function that verifies a sizing by its histories, or takes the outcome of an earlier run."""
 
@@ -381,7 +382,7 @@ class Designer(ABC, Generic[S]):
             if found is not None:
                 self.progress(f"round {number} is already there")
                 return found
-            self.progress(f"round {number}, {self.words[self.changed]} {value:.4g}")
+            self.progress(f"round {number} of at most {rounds}, {self.words[self.changed]} {value:.4g}")
             histories = respond(self.dampers(sizing), number)
             at_level = histories_at(self._spec.level, self._spec.verify, histories)
             drift = mean_drift(at_level, self._spec.along) if drifts else ()
