@@ -39,6 +39,15 @@ matched = edesign.match_records({"el_centro": record}, target, options, "matched
 factors = {name: motion.scale for name, motion in matched.motions.items()}
 tests = edesign.run_tests(edesign.load_rts_file("rts.yaml"))
 outcomes = [run.outcome for result in tests.tests for run in result.runs]
+columns = [{"storeys": "all", "section": name, "material": "S275"} for name in ("HEB240",)]
+made = edesign.make_project(
+    "Portal",
+    frame={"storeys": [4.0, "3.5 m"], "bays": [6.0], "columns": columns, "beams": []},
+    materials={"S275": {"law": "elastic", "E": 210e9}},
+    analyses=[{"name": "modes", "kind": "modal"}],
+)
+text: str = made.to_yaml("portal.yaml")
+sweep = edesign.make_study("Sweep", made, variants={"bare": {"dampers": "none"}}, path="sweep.yaml")
 try:
     edesign.check_study(study)
 except edesign.InputError as error:
@@ -56,6 +65,9 @@ WRONG = {
     'edesign.calibrate("a.yaml").effect': "attr-defined",
     'edesign.open_archive("a.h5").table(3)': "arg-type",
     "edesign.load_projects": "attr-defined",
+    'edesign.make_project("a", frame={}, material={}, analyses=[])': "call-arg",
+    'edesign.make_project("a", frame=3.0, materials={}, analyses=[])': "arg-type",
+    'edesign.make_study("a", "project.yaml", variants={})': "arg-type",
 }
 
 
