@@ -20,9 +20,10 @@ HEAD = """\
 These are all tables of reports, of `edesign show` and of `edesign export`, in the order of their
 names. Each has its title, and its columns as files name them. Numbers have their unit in brackets,
 `[-]` where they have none, and `[n]` where they count. Columns without brackets are texts, or numbers
-whose units differ. Three points stand for words or columns that come of the content. A column that
-no row has a value for may be left out. A table marked *titled* has in exports a name that is made of
-its title. Exports also hold [the variables of the archive](archive.md) in SI.
+whose units differ. Three points stand for words or columns that come of the content; some tables
+have such columns at their end. A column that no row has a value for may be left out. A table marked
+*titled* has in exports a name that is made of its title. Exports also hold
+[the variables of the archive](archive.md) in SI.
 
 """
 
