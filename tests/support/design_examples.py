@@ -16,7 +16,6 @@ from edesign.project.building.building import Building
 from edesign.project.building.checks_dampers import check_bays
 from edesign.project.checks.designs import check_design
 from edesign.project.dampers.designs import Design
-from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.loader import parse_project
 from edesign.project.project import Project
 from edesign.project.reading.base import Model
@@ -85,10 +84,8 @@ def design(text: str, project: AnalysisFile) -> Design:
     study, problems = check_model(f"designs: {{tried: {{{text}}}}}", _Study, "study file", "edesign_study: 1")
     if study is not None:
         found, keys = study.designs["tried"], ("designs", "tried")
-        stand = None
-        if isinstance(project, Building) and not isinstance(found, PlacementDesign):
-            stand = partial(check_bays, project, problems, keys, found)
-        check_design(keys, found, project, problems, stand)
+        stands = partial(check_bays, project, problems) if isinstance(project, Building) else None
+        check_design(keys, found, project, problems, stands=stands)
     if study is None or problems.found:
         raise FileProblems(Path("study.yaml"), problems.found)
     return study.designs["tried"]
