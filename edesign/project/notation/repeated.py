@@ -41,8 +41,9 @@ class Repeated(Alternatives):
 
     def tagged(self, annotation: Any) -> Any:
         """Return the list whose items are values, or equal ones together."""
-        item = get_args(annotation)[0]
-        return tuple[Annotated[item | self.equal, OneOf()], ...]
+        item: Any = get_args(annotation)[0] | self.equal
+        whole: Any = tuple
+        return whole[Annotated[item, OneOf()], ...]
 
     def __get_pydantic_json_schema__(self, schema: Any, handler: Any) -> dict[str, Any]:
         found = handler(schema["steps"][0])
@@ -50,11 +51,11 @@ class Repeated(Alternatives):
 
     def _spread(self, items: tuple[Any, ...]) -> tuple[Any, ...]:
         (key,) = self.equal.model_fields.keys() - {"count"}
-        return tuple(
-            value
-            for item in items
-            for value in ([getattr(item, key)] * item.count if isinstance(item, self.equal) else [item])
-        )
+        found: list[Any] = []
+        for item in items:
+            equal = isinstance(item, self.equal)
+            found += [getattr(item, key)] * getattr(item, "count", 1) if equal else [item]
+        return tuple(found)
 
 
 def equal_values(name: str, item: Any) -> type[Model]:

@@ -7,9 +7,10 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from edesign.project.dampers.dampers import DamperRun, Dampers
-from edesign.project.dampers.designs import Design
+from edesign.project.dampers.designs import Design, Kind
 from edesign.project.dampers.device_names import laws_of_design
 from edesign.project.dampers.placement import PlacementDesign
+from edesign.project.notation.selections import NumberSelection
 from edesign.project.project import Project
 from edesign.project.study.study import Study, Variant
 from edesign.report.drawing.captions import file_name, some_names
@@ -151,6 +152,7 @@ def _same(one: Project, other: Project, parts: Collection[str]) -> bool:
 def _planned_dampers(project: Project, design: Design) -> Dampers:
     """Dampers in the places of a design that has found no sizes; of a placement in all its candidate places."""
     dampers = dampers_at_temperature(project, design)
+    places: list[tuple[Kind, NumberSelection, NumberSelection]]
     if isinstance(design, PlacementDesign):
         places = [(design.kind, at.bays, at.storeys) for at in design.candidates]
     else:
