@@ -170,6 +170,36 @@ def test_a_plane_frame_has_the_dampers_of_several_designs(tmp_path: Path) -> Non
     assert {name: of.values.tolist() for name, of in dampers.items()} == {"both": ["R_1_1", "F_1_2"], "one": ["R_1_1"]}
 
 
+def test_designs_of_two_directions_beside_each_other(tmp_path: Path) -> None:
+    """The drift of the chosen round is, to the last digit, that of the variant with both designs.
+
+    What stands along x is hardly felt along y: by what its braces lengthen columns, and by turns of the floors.
+    """
+    one = STUDY.replace("[pair, one]", "pair")
+    forces = []
+    for name, text in (
+        ("alone", one),
+        ("with_x", one.replace("kind: rising, along: y,", "kind: rising, along: y, beside: x,")),
+    ):
+        (folder := tmp_path / name).mkdir()
+        study = load_study(write(folder, text))
+        check_study(study)
+        summary = run_study(study)
+        with open_archive(summary.archive) as archive:
+            group = archive.group("designs/y")
+        forces.append(group.variables["yield_force"].values)
+    np.testing.assert_allclose(forces[1], forces[0], rtol=0.02)
+    assert study.beside("y") == ("x",) and group.attributes["beside"] == ["x"]
+    assert group.attributes["beside_damping"] < 0.005  # of the 12 % that they add along x
+    (shaken,) = [
+        of for name, of in histories(summary.archive, "damped").items() if of.attributes["eccentricity"] == "0"
+    ]
+    along = list(shaken.coords["direction"].values).index("y")
+    drift = max(np.abs(shaken.variables[f"storey_drift_{side}"].values[:, along]).max() for side in ("min", "max"))
+    chosen = int(str(group.attributes["chosen_round"])) - 1
+    assert group.variables["verdict_value"].values[chosen, 0] == drift
+
+
 @pytest.mark.parametrize(
     ("changes", "said"),
     [
@@ -179,6 +209,21 @@ def test_a_plane_frame_has_the_dampers_of_several_designs(tmp_path: Path) -> Non
         ),
         ((("storeys: 2,", "storeys: 2, temperature: 10 degC,"),), "`down` and `up` have the law `oil` at different"),
         ((("storeys: 1,", "storeys: 1, along: x,"),), "designs.up.along: a plane frame has one direction"),
+        (
+            (("storeys: 1,", "storeys: 1, beside: down,"),),
+            "designs.up.beside: `down` stands below; designs are sized in",
+        ),
+        ((("storeys: 2,", "storeys: 2, beside: upp,"),), "designs.down.beside: there is no design `upp`; did you mean"),
+        (
+            (("storeys: 2,", "storeys: 2, beside: up,"), ("one: {design: up}", "one: {design: down}")),
+            "variants.one.design: `down` is sized beside `up`, which the variant lacks; write `design: [up, down]`",
+        ),
+        (
+            (("kind: falling, bays: 1", "places: [{kind: falling, bays: 1}, {kind: falling, bays: 1}]"),),
+            "designs.down.places[1]: `F_1_2` stands there by places[0] already",
+        ),
+        ((("kind: falling, bays", "places: [{kind: falling, bays: 1}], bays"),), "`places` says this for each kind"),
+        ((("kind: falling, bays: 1, ", ""),), "designs.down.kind: this key is missing: how the dampers stand; or give"),
     ],
 )
 def test_designs_that_do_not_go_together_are_refused(
