@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from operator import itemgetter
 
+from edesign.project.project import Project
 from edesign.report.archive_view import results
 from edesign.report.html.section import Facts, Folded, Heading, Part, Section
 from edesign.report.inputs.connections import connection_tables
@@ -41,7 +42,7 @@ def inputs(source: Source) -> Section:
     parts: list[Part] = []
     if source.project is not None:
         parts.append(Facts(tuple(project_rows(source.project))))
-        parts.append(Folded("How members are named", (MEMBER_NAMES.of(NAMES),)))
+        parts.append(Folded("How members are named", (MEMBER_NAMES.of(_names(source.project)),)))
     if source.study is not None:
         parts.append(variants_table(source.study))
     if source.frames is not None and source.entries:
@@ -56,6 +57,15 @@ def inputs(source: Source) -> Section:
     title = source.project.title if source.project is not None else ""
     known = title == source.attributes.get("title")
     return Section("inputs", "Input", (f"{title}.",) if title and not known else (), tuple(parts))
+
+
+def _names(project: Project) -> tuple[tuple[str, str], ...]:
+    """How members are named; with the lines of the plans, where the frame has their names."""
+    lines = project.frame.axes
+    if lines is None:
+        return NAMES
+    column = f"C_{lines[1]}_3 stands on line {lines[1]} in storey 3; the lines are {', '.join(lines)}, as in the plans."
+    return (("Columns", column), *NAMES[1:])
 
 
 def _of_frames(source: Source, frames: VariantFrames) -> list[Part]:
