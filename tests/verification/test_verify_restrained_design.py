@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from design_examples import design, shear_project
+from design_examples import design, refusal, shear_project
 from scipy.optimize import brentq
 from shear_frames import BAY, HEIGHT, MASS, STIFFNESS
 
@@ -319,3 +319,27 @@ def test_a_frame_that_stands_by_its_braces_needs_them_under_gravity() -> None:
     text = f"{CARRIES}, shear_share: 100 %, shear: [50 kN], amplitude: {{drift: 0.1 %}}"
     found = pinned(text.replace(", carries_gravity: true", ""))
     assert found.status == "failed" and "carries_gravity" in found.reason
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("damping: 10 %", "designs.tried.damping: a frame that stands by its braces is damped the more the smaller"),
+        ("shear_share: 20 %, distribution: storey_stiffness", "`storey_stiffness` is of the frame without its dampers"),
+        ("shear_share: 20 %, distribution: strain_energy", "`strain_energy` is of the frame without its dampers"),
+        ("shear_share: 20 %, law: steel", "the law `steel` is of a damper that is set in under the gravity loads"),
+    ],
+)
+def test_what_has_no_meaning_for_braces_that_carry_gravity(text: str, said: str) -> None:
+    steel = "    steel: {type: elastic_plastic, parameters: {k: 20 kN/mm, Fy: 50 kN, b: 0}}\n"
+    file = PINNED.replace("@storeys@", "1").replace("@load@", "0") + LAWS + steel
+    project = parse_project(file, "project.yaml", profile_names())
+    start = CARRIES.replace("law: brb, ", "") if "law:" in text else CARRIES
+    assert said in refusal(f"{start}, {text}", project)
+
+
+def test_even_braces_over_the_height() -> None:
+    """Uniform: the sum of the yield forces is the share of the sum of the shears, in halves."""
+    found = pinned(f"{CARRIES}, shear_share: 50 %, shear: [400 kN, 200 kN], distribution: uniform", 2)
+    assert found.status == "completed", found.reason
+    assert found.group.variables["yield_force"].values == pytest.approx([150e3, 150e3], rel=1e-9)

@@ -22,7 +22,7 @@ def pattern_of(building: Building, distribution: str) -> np.ndarray:
     if distribution == "storey_stiffness":
         return stiffness
     if distribution == "uniform":
-        return np.full(stiffness.size, stiffness.mean())
+        return np.full(stiffness.size, stiffness.mean() or 1.0)  # 0: the frame stands by its dampers alone
     chosen = building.storeys - 1
     lead = building.frame.modes().lead
     if distribution == "storey_shear":
