@@ -15,6 +15,7 @@ from edesign.assess.sets import HistorySet, history_sets
 from edesign.codes.device_factors import DeviceFactors
 from edesign.codes.motion_sets import SetRules
 from edesign.damper.harmonic import steady_cycle
+from edesign.errors import EdesignError
 from edesign.frame.devices import Device
 from edesign.ground_motion.hazard import rules_in_force
 from edesign.project.dampers.designs import Bounds
@@ -62,12 +63,21 @@ class Asked:
 def device_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
     """Yield a figure of the damper with the largest force of each design.
 
+    There is none where the texts of the archive cannot be read, or a frame not be built again; the report says that
+    of its tables.
+
     Yields:
         Name of the file, caption and figure.
     """
-    study = archived_study(archive)
-    if study is None:
+    try:
+        study = archived_study(archive)
+        found = [] if study is None else list(_device_figures(archive, study))
+    except EdesignError:
         return
+    yield from found
+
+
+def _device_figures(archive: Archive, study: Study) -> Iterator[tuple[str, str, Figure]]:
     frames, rules = VariantFrames(archive, study.base, study), rules_in_force(study.hazard)
     sets, whole = history_sets(read_histories(archive)), partial(results, archive)
     factors = factors_in_force(study, study.hazard)
