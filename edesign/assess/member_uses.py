@@ -1,7 +1,7 @@
-"""How far columns, beams and braces, and what supports carry, under the histories of a set: by the rule of the code.
+"""How far members are used, and what supports carry, under the histories of a set, by the rule of a code.
 
-EN 1998-1, 4.3.3.4.3(3): the mean over seven motions or more, else the largest. Of a motion that comes at several
-angles, or with several places of the masses, the worst history counts.
+Of enough motions the mean counts, else the largest. Of a motion that comes at several angles, or with several places of
+the masses, the worst history counts.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.assess.sets import HistorySet
-from edesign.assess.statistics import code_statistic
+from edesign.codes.motion_sets import SetRules
 from edesign.project.notation.names import member_kind, storey_of
 
 SECTION, BUCKLING = "section", "buckling"
@@ -86,12 +86,17 @@ def without_dampers(sets: Sequence[HistorySet], found: HistorySet) -> HistorySet
     return None
 
 
-def rule_of(found: HistorySet) -> str:
-    """Return the statistic that the code takes over the motions of a set: mean or maximum."""
-    return code_statistic("ec8", found.motions)
+def rule_of(found: HistorySet, rules: SetRules) -> str:
+    """Return the statistic that a code takes over the motions of a set: mean or maximum."""
+    return "mean" if found.motions >= rules.number_for_mean else "maximum"
 
 
-def loaded_members(found: HistorySet) -> list[LoadedMember]:
+def in_words(rules: SetRules) -> str:
+    """Return the code of rules, and its clause on the mean of the responses."""
+    return ", ".join(part for part in (rules.code, rules.clauses.use) if part)
+
+
+def loaded_members(found: HistorySet, rules: SetRules) -> list[LoadedMember]:
     """Return all members that are judged under the completed histories of a set, columns, beams, then braces.
 
     Those whose section or steel has no clause are left out, and all of archives that do not know uses.
@@ -99,15 +104,16 @@ def loaded_members(found: HistorySet) -> list[LoadedMember]:
     names, groups = list(found.completed), list(found.completed.values())
     if not groups or "section_use_max" not in groups[0].variables:
         return []
-    return [*_bending(found, names, groups), *_braces(found, names, groups)]
+    mean = rule_of(found, rules) == "mean"
+    return [*_bending(found, names, groups, mean), *_braces(found, names, groups, mean)]
 
 
-def _bending(found: HistorySet, names: Sequence[str], groups: Sequence[Group]) -> Iterator[LoadedMember]:
+def _bending(found: HistorySet, names: Sequence[str], groups: Sequence[Group], mean: bool) -> Iterator[LoadedMember]:
     members = [str(name) for name in groups[0].coords["member"].values]
     kinds = [kind for kind in _USES if f"{kind[0]}_max" in groups[0].variables]
     every = np.array([[_values(group, f"{name}_max") for name, _ in kinds] for group in groups])
-    tension = _tensions(found, names, groups)
-    of_rule = [_by_rule(found, names, every[:, k]) for k in range(len(kinds))]
+    tension = _tensions(found, names, groups, mean)
+    of_rule = [_by_rule(found, names, every[:, k], mean) for k in range(len(kinds))]
     for at, name in enumerate(members):
         k = int(np.argmax([use[at] for use in of_rule]))
         row = int(np.argmax(every[:, k, at]))
@@ -144,11 +150,11 @@ def _bending(found: HistorySet, names: Sequence[str], groups: Sequence[Group]) -
 _PARTS = ("axial_force", "shear_force", "bending_moment")
 
 
-def _braces(found: HistorySet, names: Sequence[str], groups: Sequence[Group]) -> Iterator[LoadedMember]:
+def _braces(found: HistorySet, names: Sequence[str], groups: Sequence[Group], mean: bool) -> Iterator[LoadedMember]:
     if "brace_use_max" not in groups[0].variables:
         return
     every = np.array([_values(group, "brace_use_max") for group in groups])
-    use, tension = _by_rule(found, names, every), _tensions(found, names, groups, "brace")
+    use, tension = _by_rule(found, names, every, mean), _tensions(found, names, groups, mean, "brace")
     for at, name in enumerate(str(name) for name in groups[0].coords["brace"].values):
         row = int(np.argmax(every[:, at]))
         when, force = (float(groups[row].variables[f"brace_use_{of}"].values[at]) for of in ("at", "axial_force"))
@@ -165,26 +171,28 @@ def _values(group: Group, name: str) -> np.ndarray:
     return np.asarray(values.reshape(len(values), -1).max(axis=1))
 
 
-def _by_rule(found: HistorySet, names: Sequence[str], values: np.ndarray) -> np.ndarray:
+def _by_rule(found: HistorySet, names: Sequence[str], values: np.ndarray, mean: bool) -> np.ndarray:
     """Statistic of the code over the motions of a set of values of its histories, (histories, n)."""
     motions: dict[str, list[int]] = {}
     for row, name in enumerate(names):
         motions.setdefault(found.motion_of[name], []).append(row)
     worst = np.array([values[rows].max(axis=0) for rows in motions.values()])
-    return np.asarray(worst.mean(axis=0) if rule_of(found) == "mean" else worst.max(axis=0))
+    return np.asarray(worst.mean(axis=0) if mean else worst.max(axis=0))
 
 
 def _tensions(
-    found: HistorySet, names: Sequence[str], groups: Sequence[Group], kind: str = "column"
+    found: HistorySet, names: Sequence[str], groups: Sequence[Group], mean: bool, kind: str = "column"
 ) -> dict[str, float]:
     name = f"{kind}_axial_force_max"
     if name not in groups[0].variables:
         return {}
-    largest = _by_rule(found, names, np.array([np.maximum(group.variables[name].values, 0.0) for group in groups]))
+    largest = _by_rule(
+        found, names, np.array([np.maximum(group.variables[name].values, 0.0) for group in groups]), mean
+    )
     return dict(zip(map(str, groups[0].coords[kind].values), largest.tolist(), strict=True))
 
 
-def support_forces(found: HistorySet) -> list[SupportForces]:
+def support_forces(found: HistorySet, rules: SetRules) -> list[SupportForces]:
     """Return the extremes of all supports under the completed histories of a set, each with what acts with it.
 
     Of a mean the concurrent reactions are means too, horizontal ones and moments of their magnitudes, as they come
@@ -210,7 +218,7 @@ def support_forces(found: HistorySet) -> list[SupportForces]:
         for k, extreme in enumerate(str(name) for name in groups[0].coords["support_extreme"].values):
             rows = [max(own, key=lambda row: extremes[row, i, k]) for own in motions.values()]  # noqa: B023
             worst = max(rows, key=lambda row: extremes[row, i, k])  # noqa: B023
-            of = every[rows, i, k].mean(axis=0) if rule_of(found) == "mean" else every[worst, i, k]
+            of = every[rows, i, k].mean(axis=0) if rule_of(found, rules) == "mean" else every[worst, i, k]
             count = H.shape[-1]
             along, about = tuple(of[1 : 1 + count].tolist()), tuple(of[1 + count :].tolist())
             result.append(SupportForces(support, extreme, float(of[0]), along, about, names[worst]))

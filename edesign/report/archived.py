@@ -7,9 +7,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from edesign.archive.reader import Archive
-from edesign.errors import ArchiveError
+from edesign.errors import ArchiveError, EdesignError
 from edesign.frame.sections.building_sections import BuildingSections
 from edesign.ground_motion.seismic_action.files import text_name
+from edesign.project.actions.hazard_base import Hazard
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.loader import parse_project
 from edesign.project.project import Project
@@ -113,6 +114,15 @@ def archived_building(archive: Archive) -> Building | None:
 def archived_base(archive: Archive) -> AnalysisFile | None:
     """Return the project or the building whose analyses an archive has; errors as `archived_project`."""
     return archived_project(archive) or archived_building(archive)
+
+
+def archived_hazard(archive: Archive) -> Hazard | None:
+    """Return the hazard of the file whose analyses an archive has; None without one, or if its text cannot be read."""
+    try:
+        base = archived_base(archive)
+    except EdesignError:
+        return None
+    return None if base is None else base.hazard
 
 
 def archived_study(archive: Archive) -> Study | None:

@@ -11,14 +11,16 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
-from edesign.assess.member_uses import LoadedMember, loaded_members, rule_of
+from edesign.assess.member_uses import LoadedMember, loaded_members
 from edesign.assess.members import VariantMembers
 from edesign.assess.sets import HistorySet, history_sets
 from edesign.codes.ec3.utilisation import ForcesAlong, utilisation
+from edesign.codes.motion_sets import SetRules
 from edesign.codes.trace import Step, Trace
 from edesign.core.member_checks import CLAUSES, FORCES, MEMBER_CHECKS, Check
 from edesign.errors import InputError
 from edesign.frame.sections.section_class import section_class
+from edesign.ground_motion.hazard import rules_in_force
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.notation.names import member_kind
 from edesign.project.reading.problems import did_you_mean
@@ -138,8 +140,7 @@ def loaded_member_tables(archive: Archive, name: str, analysis: str | None = Non
         ArchiveError: the archive cannot be read.
     """
     rows, followed = _of_member(archive, name, analysis)
-    said = ["Use: mean over seven motions or more, else the largest (EN 1998-1, 4.3.3.4.3(3))."]
-    said = said if any(row.number > 1 for row in rows) else []
+    said = ["Use: by the rule of the code over several motions."] if any(row.number > 1 for row in rows) else []
     said += ["Below: the analysis with the largest; another one by --analysis."] if len(rows) > 1 else []
     notes = wrapped(" ".join(said))
     at = f"{followed.at:.4g} {followed.unit}".strip()
@@ -190,14 +191,14 @@ def _of_member(archive: Archive, name: str, analysis: str | None) -> tuple[list[
     )
     if name not in names:
         raise InputError(f"{archive.path}: no member is named {name!r}{did_you_mean(name, names)} [E-ARCH-07]")
-    rows = _rows(groups, name)
+    base = archived_base(archive)
+    assert base is not None, "analyses are of a file"
+    rows = _rows(groups, name, rules_in_force(base.hazard))
     if not rows:
         raise InputError(
             f"{archive.path}: nothing is known of the use of {name}: its section or steel has no clause, or the "
             "analyses are of a version before 0.3 [E-ARCH-08]"
         )
-    base = archived_base(archive)
-    assert base is not None, "analyses are of a file"
     worst = max((row.of for row in rows), key=lambda of: of.largest)
     group = groups[worst.history]
     if not math.isfinite(worst.N):
@@ -210,17 +211,17 @@ def _of_member(archive: Archive, name: str, analysis: str | None) -> tuple[list[
     return rows, follow(file, group, worst.history, name)
 
 
-def _rows(groups: Mapping[str, Group], name: str) -> list[_Row]:
+def _rows(groups: Mapping[str, Group], name: str, rules: SetRules) -> list[_Row]:
     sets = list(history_sets(groups))
     of_sets = {history for found in sets for history in found.histories}
     others = [HistorySet(key, "", {key: group}) for key, group in groups.items() if key not in of_sets]
     rows = []
     for found in [*sets, *others]:
-        for of in loaded_members(found):
+        for of in loaded_members(found, rules):
             if of.name == name:
                 title = label(found) if found in sets else found.variant
                 number = found.motions if found in sets else 1
-                rows.append(_Row(title, number, of.use if rule_of(found) == "mean" else of.largest, of))
+                rows.append(_Row(title, number, of.use, of))
     return rows
 
 

@@ -125,7 +125,7 @@ def study_tables(archive: Archive) -> list[Table]:
         tables.append(objectives_table(verdicts, study.objectives, study.base))
     tables += incremental_tables(archive, groups)
     tables += ground_tables(groups)
-    tables += member_tables(not_swept(study, sets))
+    tables += member_tables(not_swept(study, sets), study.base.hazard)
     return [table for table in tables if table.rows or table.notes]
 
 

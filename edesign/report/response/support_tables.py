@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from edesign.assess.member_uses import SupportForces, rule_of, support_forces
+from edesign.assess.member_uses import SupportForces, in_words, rule_of, support_forces
 from edesign.assess.sets import HistorySet
+from edesign.ground_motion.hazard import rules_in_force
+from edesign.project.actions.hazard_base import Hazard
 from edesign.report.assessment.measure_tables import label
 from edesign.report.tables.column import Column, col, text
 from edesign.report.tables.table import Table, TableSpec
@@ -23,21 +25,27 @@ NOTE = (
     "Gravity included. V upwards on the structure: negative is uplift. H and M are magnitudes, and act with V at the "
     "instant of the extreme"
 )
-MEANS = ", {count} motions: means of the extremes and of what acts with each (EN 1998-1, 4.3.3.4.3(3)), not of one step"
+MEANS = ", {count} motions: means of the extremes and of what acts with each ({code}), not of one step"
 
 
-def support_tables(sets: Iterable[HistorySet]) -> Iterator[Table]:
-    """Return the table of each set of histories, for the design of foundations and column bases."""
+def support_tables(sets: Iterable[HistorySet], hazard: Hazard | None) -> Iterator[Table]:
+    """Return the table of each set of histories, for the design of foundations and column bases.
+
+    Args:
+        sets: those of archives that do not know the extremes are left out.
+        hazard: of the file, whose code says what counts of several motions.
+    """
+    rules = rules_in_force(hazard)
     for found in sets:
-        rows = support_forces(found)
+        rows = support_forces(found, rules)
         if not rows:
             continue
         axes = ("",) if len(rows[0].H) == 1 else ("_x", "_y")
         columns: list[Column[SupportForces]] = [col("V", KN, "V", 4)]
         columns += [_of("H", axis, at) for at, axis in enumerate(axes)]
         columns += [_of("M", axis, at) for at, axis in enumerate(axes)]
-        mean = rule_of(found) == "mean"
-        note = f"{NOTE}{MEANS.format(count=found.motions) if mean else ''}."
+        mean = rule_of(found, rules) == "mean"
+        note = f"{NOTE}{MEANS.format(count=found.motions, code=in_words(rules)) if mean else ''}."
         columns.append(text("largest in" if mean else "history", "history", broken=1))
         yield SUPPORTS.of(rows, more=columns, whose=label(found), notes=wrapped(note))
 

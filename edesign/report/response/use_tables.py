@@ -6,8 +6,11 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 
-from edesign.assess.member_uses import LoadedMember, loaded_members, rule_of, support_forces, without_dampers
+from edesign.assess.member_uses import LoadedMember, in_words, loaded_members, rule_of, support_forces, without_dampers
 from edesign.assess.sets import HistorySet
+from edesign.codes.motion_sets import SetRules
+from edesign.ground_motion.hazard import rules_in_force
+from edesign.project.actions.hazard_base import Hazard
 from edesign.report.assessment.measure_tables import label, missing_notes
 from edesign.report.tables.column import Column, col, count, text
 from edesign.report.tables.number import finite
@@ -21,7 +24,7 @@ NOTHING = 0.5
 """N and N m below which a force is rounding of those beside it."""
 NAMED = 5
 """Members that a line names."""
-RULES = {"mean": "mean of {count} motions (EN 1998-1, 4.3.3.4.3(3))", "maximum": "largest of {count}"}
+RULES = {"mean": "mean of {count} motions ({code})", "maximum": "largest of {count}"}
 MEANING = (
     "N (tension positive), V, M: of the step and history with the largest use. Section: EN 1993-1-1, 6.2.6 and 6.2.8 "
     "to 6.2.10; buckling: 6.3; partial factors of `design`, 1 without it."
@@ -72,6 +75,7 @@ class _Uses:
     """The members of a set, those of the same frame without dampers, and the largest uplift of a support."""
 
     found: HistorySet
+    rules: SetRules
     members: Sequence[LoadedMember]
     bare: Mapping[str, float]
     uplift: float | None
@@ -83,7 +87,7 @@ class _Uses:
     @property
     def note(self) -> str:
         """By what rule the uses are taken."""
-        text = RULES[rule_of(self.found)].format(count=self.found.motions)
+        text = RULES[rule_of(self.found, self.rules)].format(count=self.found.motions, code=in_words(self.rules))
         return f"Use: {text}." if self.found.motions > 1 else ""
 
     def worst(self, kind: str) -> LoadedMember | None:
@@ -103,22 +107,28 @@ def _order(one: _Use) -> float:
     return -one.member.use
 
 
-def _uses(sets: Sequence[HistorySet]) -> list[_Uses]:
+def _uses(sets: Sequence[HistorySet], hazard: Hazard | None) -> list[_Uses]:
     """The sets whose archives know uses."""
-    of_set = {id(found): loaded_members(found) for found in sets}
+    rules = rules_in_force(hazard)
+    of_set = {id(found): loaded_members(found, rules) for found in sets}
     found = []
     for one in sets:
         if members := of_set[id(one)]:
             other = without_dampers(sets, one)
             bare = {} if other is None else {member.name: member.use for member in of_set[id(other)]}
-            lifts = [support.V for support in support_forces(one) if support.extreme == "least compression"]
-            found.append(_Uses(one, members, bare, max(0.0, -min(lifts)) if lifts else None))
+            lifts = [support.V for support in support_forces(one, rules) if support.extreme == "least compression"]
+            found.append(_Uses(one, rules, members, bare, max(0.0, -min(lifts)) if lifts else None))
     return found
 
 
-def use_tables(sets: Iterable[HistorySet]) -> Iterator[Table]:
-    """Return the tables of each set of histories: the worst member of each storey, and all beyond 1."""
-    for uses in _uses(list(sets)):
+def use_tables(sets: Iterable[HistorySet], hazard: Hazard | None) -> Iterator[Table]:
+    """Return the tables of each set of histories: the worst member of each storey, and all beyond 1.
+
+    Args:
+        sets: those of archives that do not know uses are left out.
+        hazard: of the file, whose code says what counts of several motions.
+    """
+    for uses in _uses(list(sets), hazard):
         places: dict[tuple[str, int], _Use] = {}
         for one in uses.rows:
             place = one.member.kind, one.member.storey
@@ -166,13 +176,14 @@ IN_SHORT = TableSpec[_Uses](
 )
 
 
-def use_in_short(sets: Sequence[HistorySet]) -> Table:
+def use_in_short(sets: Sequence[HistorySet], hazard: Hazard | None) -> Table:
     """Return the worst uses of each set in a row, and in lines below which members go beyond 1, and why.
 
     Args:
         sets: of histories; those of archives that do not know uses are left out.
+        hazard: as of `use_tables`.
     """
-    every = _uses(sets)
+    every = _uses(sets, hazard)
     rules = list(dict.fromkeys(uses.note for uses in every if uses.note))
     rules += ["Sections alone: buckling needs `design` in the file."] if any(map(_sections_alone, every)) else []
     notes = wrapped(" ".join([*rules, "Tension of columns and uplift of supports in kN."])) if every else []

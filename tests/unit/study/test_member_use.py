@@ -216,7 +216,7 @@ def test_a_column_of_a_history_by_hand() -> None:
     (verdict,) = judge(part(criteria).criteria, (), {"shaken": group}, whole)
     assert verdict.value == group.variables["member_use_max"].values[at] and verdict.place == "C_B2_1"
     group.attributes["kind"] = "history"
-    table, *_ = use_tables(history_sets({"shaken": group}))
+    table, *_ = use_tables(history_sets({"shaken": group}), None)
     places = [(kind, storey) for kind in ("column", "beam", "brace") for storey in ("1", "2")]
     assert [tuple(row[:2]) for row in table.texts] == places
     uses = [group.variables["section_use_max"].values.max(axis=1), group.variables["member_use_max"].values]

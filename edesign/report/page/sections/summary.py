@@ -10,6 +10,7 @@ from edesign.assess.measures import Located, located_measure
 from edesign.assess.sets import HistorySet
 from edesign.assess.statistics import STATISTICS, Statistics
 from edesign.project.building import Building
+from edesign.report.archived import archived_hazard
 from edesign.report.assessment.change_tables import changes_in_short
 from edesign.report.assessment.measure_columns import ROUNDING
 from edesign.report.assessment.measure_tables import missing_notes, motion_notes
@@ -112,7 +113,12 @@ def summary(source: Source) -> Section:
     parts += [Headlines(tiles) for tiles in rows if tiles]
     verdicts = verdict_table(source.verdicts, source.study)
     sets = [found for found, _ in source.statistics]
-    tables = (verdicts, governing_table(source.statistics), use_in_short(sets), changes_in_short(sets))
+    tables = (
+        verdicts,
+        governing_table(source.statistics),
+        use_in_short(sets, archived_hazard(source.archive)),
+        changes_in_short(sets),
+    )
     parts += [table for table in tables if table.rows]
     return Section("summary", "Summary", (_asked(source),), tuple(parts))
 
