@@ -47,12 +47,7 @@ def project_tables(archive: Archive) -> list[Table]:
 
 
 def member_tables(sets: Sequence[HistorySet], hazard: Hazard | None) -> list[Table]:
-    """Return the tables of what the forces of histories do to members and supports.
-
-    Args:
-        sets: of histories.
-        hazard: of their file.
-    """
+    """Return the tables of what the forces of histories do to members and supports."""
     return [use_in_short(sets, hazard), *use_tables(sets, hazard), *support_tables(sets, hazard)]
 
 
