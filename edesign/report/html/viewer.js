@@ -16,6 +16,7 @@
       + `L${short(0.6 * h)} ${short(1.3 * h)}L0 ${short(1.5 * h)}V${short(1.5 * h)}${bar(h, 1.5 * h)}`,
     footing: h => `M${short(-1.5 * h)} 0H${short(1.5 * h)}V${short(h)}H${short(-1.5 * h)}Z`,
   };
+  const isWide = ([x0, y0, x1, y1]) => x1 - x0 > 2.5 * (y1 - y0);
   const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5];
   const IN_STEPS = 500; // ms between pictures for readers who want less motion
   const reduced = window.matchMedia("(prefers-reduced-motion: reduce)");
@@ -93,7 +94,7 @@
       const ground = this.about.ground, beyond = (this.about.base.length ? 5 : 1.6) * edge;
       this.svg.setAttribute("viewBox", [x0 - aside, -y1 - 2 * edge, x1 - x0 + 2 * aside, y1 - bottom + 3.5 * edge]
         .map(short).join(" "));
-      this.unit = size / 300;
+      this.unit = size / (isWide(this.box) ? 900 : 300); // about a pixel of a wide frame, which has a line of its own
       const widths = [[this.members, 2.4], [this.unmoved, 1], [this.braces, 1], [this.ground, 1.2], [this.base, 4],
         [this.springs, 1]];
       for (const [element, width] of widths) element.setAttribute("stroke-width", short(width * this.unit * 100) / 100);
@@ -265,7 +266,8 @@
       this.live = node(root, "div", { class: "live", role: "group", "aria-label": "Motion of the structure" });
       this.controls();
       const [x0, y0, x1, y1] = this.spread();
-      const stage = node(this.live, "div", { class: x1 - x0 > y1 - y0 ? "stage" : "stage tall" });
+      const stage = node(this.live, "div", { class: isWide([x0, y0, x1, y1]) ? "stage wide"
+        : x1 - x0 > y1 - y0 ? "stage" : "stage tall" });
       const frames = node(stage, "div", { class: "frames" });
       this.frames = scene.variants.map(about => this.moving(frames, about, read));
       this.legend(frames);
