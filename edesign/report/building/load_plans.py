@@ -25,8 +25,6 @@ from edesign.space.structure.model import masters
 
 WIDTH = 6.4  # of the legend, inches
 AREA = "#eaf1f8"
-MOST = 4
-"""Plans that are drawn."""
 
 Panel = tuple[int, int]
 
@@ -51,11 +49,10 @@ def load_plans(building: Building, frame: SpaceFrame, heading: Sequence[str] = (
         above = (*heading, caption.rstrip(".")) if heading else ()
         draw = partial(_draw_base, building=building, base=building.isolation.base)
         yield file_name("model_loads", "0"), caption, on_sheet(draw, above)
-    for i, floors in enumerate(list(groups.values())[:MOST]):
+    for floors in groups.values():
         which = f"floor {floors[0]}" if len(floors) == 1 else f"floors {_listed(floors)}"
         caption = f"Loads of {which}: area loads in kN/m² by load case, the arrow along the span of the floor."
         above = (*heading, caption.rstrip(".")) if heading else ()
-        caption += f" {len(groups) - MOST} more that differ are not drawn." * (i == MOST - 1 and len(groups) > MOST)
         draw = partial(_draw, building=building, frame=frame, floors=floors)
         yield file_name("model_loads", str(floors[0])), caption, on_sheet(draw, above)
 

@@ -29,7 +29,6 @@ from edesign.report.model.words import section_words, several_steels, short, ste
 from edesign.space.structure.frame import Member, SpaceFrame
 
 _EQUAL = 1.0 - 1e-9  # a square or round column has no weak axis: its I_z is I_y but for rounding
-MOST = 4  # elevations in each direction
 WIDTH = 6.6  # of the legend, inches
 
 
@@ -52,8 +51,7 @@ def model_elevations(
             members = _members(frame, frame_name(along, number))
             if members and not (variant and not _devices(building, along, number).look):
                 groups.setdefault(_look(building, frame, along, number, members), []).append(number)
-        left_out = len(groups) - MOST
-        for numbers in list(groups.values())[:MOST]:
+        for numbers in groups.values():
             names = [frame_name(along, number) for number in numbers]
             caption = (
                 f"Frame{'s' * (len(names) > 1)} {some_names(names, 6)} along {along}: spans, heights and levels in m, "
@@ -63,8 +61,6 @@ def model_elevations(
             if variant:
                 caption = f"Variant {variant}: {caption[0].lower()}{caption[1:]}"
             above = (*heading, caption.rstrip(".")) if heading else ()
-            if left_out > 0 and numbers == list(groups.values())[MOST - 1]:
-                caption += f" {left_out} more that differ are not drawn."
             draw = partial(_draw, building=building, frame=frame, along=along, number=numbers[0])
             yield file_name("model", *([variant] if variant else []), names[0]), caption, on_sheet(draw, above)
 

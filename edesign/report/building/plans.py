@@ -17,7 +17,6 @@ from edesign.report.model.elevation import Grid, draw_plan_axes
 from edesign.report.model.figures import Named
 from edesign.report.model.sheet import INK, SMALLEST, Sheet, on_sheet
 
-PANELS = 3
 """Plans that are drawn; of more those of other outlines come first."""
 _BEAM = "#7c8796"
 _COLUMN = 0.11  # size of a column in the drawing, by the narrowest bay
@@ -45,16 +44,12 @@ def plans_of(results: BuildingValues, heading: Sequence[str] = ()) -> Iterator[N
     Yields:
         Name of the file, caption and figure.
     """
-    different = _different_storeys(results)
-    drawn = _other_outlines_first(results, different)[:PANELS]
-    rest = sorted(storey for storeys in different if storeys not in drawn for storey in storeys)
-    left_out = f" Not drawn: {'storey' if len(rest) == 1 else 'storeys'} {_runs(rest)}." if rest else ""
-    for storeys in sorted(drawn):
+    for storeys in _different_storeys(results):
         which = f"storey {storeys[0]}" if len(storeys) == 1 else f"storeys {_runs(storeys)}"
         sections = _sections(results, storeys[0])
         caption = (
             f"Plan of {which}, widths in m. Columns with the direction of their webs, the beams above them, circles at "
-            f"pinned ends, dashes beside braced bays, a cross at the centre of mass. Sections: {sections}.{left_out}"
+            f"pinned ends, dashes beside braced bays, a cross at the centre of mass. Sections: {sections}."
         )
         above = (*heading, f"Plan of {which}") if heading else ()
         draw = partial(_draw, results=results, storey=storeys[0])
@@ -76,20 +71,6 @@ def _different_storeys(results: BuildingValues) -> list[list[int]]:
         members = frozenset(zip(kind.tolist(), section.tolist(), map(tuple, rows.tolist()), strict=True))
         found.setdefault(members, []).append(int(storey))
     return list(found.values())
-
-
-def _other_outlines_first(results: BuildingValues, different: list[list[int]]) -> list[list[int]]:
-    """Groups of storeys in the order in which they are drawn: one of each set of places of columns, then the others."""
-    storey, kind, start = (results.values("members", name) for name in ("storey", "kind", "start"))
-    first: list[list[int]] = []
-    others: list[list[int]] = []
-    seen: set[frozenset[tuple[float, ...]]] = set()
-    for group in different:
-        at = start[(storey == group[0]) & (kind == "column"), :2].round(6)
-        outline = frozenset(map(tuple, at.tolist()))
-        (others if outline in seen else first).append(group)
-        seen.add(outline)
-    return first + others
 
 
 def _runs(numbers: list[int]) -> str:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from collections import Counter
 from collections.abc import Callable, Collection, Iterable, Iterator
 from contextlib import contextmanager
 from functools import cached_property, partial
@@ -24,7 +26,7 @@ from edesign.report.archived import archived_building, archived_project, archive
 from edesign.report.assessment.tables import read_histories, read_judged
 from edesign.report.capacity.incremental_results import IncrementalResults, read_incremental
 from edesign.report.drawing.captions import UniqueNames, file_name
-from edesign.report.html.section import Heading, Part, Picture, Section, Warnings, made
+from edesign.report.html.section import Folded, Heading, Part, Picture, Section, Warnings, made
 from edesign.report.inputs.variant_frames import VariantFrames
 from edesign.report.page.step import Step, steps
 from edesign.report.page.words import words_of
@@ -34,6 +36,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Figures = Callable[[Archive], Iterator[tuple[str, str, "Figure"]]]
+MOST_ALIKE = 4  # drawings of the model of a kind, such as plans, that are shown at once
+_END = re.compile("[0-9A-Z]?[0-9]*$")  # of names such as plan_3, model_X2 and model_YA
 ALONG_TIME = ("time", "motion_time", "matched_time", "step")
 
 
@@ -249,6 +253,24 @@ def by_level(pictures: Iterable[Picture], levels: Iterable[str]) -> dict[str, li
         at = next((level for level, token in tokens.items() if token in f"{picture.name}_"), "")
         found.setdefault(at, []).append(picture)
     return {level: found[level] for level in (*tokens, "") if level in found}
+
+
+def first_of_each(pictures: Iterable[Picture], most: int = MOST_ALIKE) -> list[Part]:
+    """Return drawings of the model, of each kind so many; the others are shown on demand.
+
+    Args:
+        pictures: figures of the page; those whose names differ in their ends are of a kind.
+        most: of a kind.
+    """
+    shown, others, counts = list[Part](), list[Picture](), Counter[str]()
+    for picture in pictures:
+        kind = _END.sub("", picture.name)
+        counts[kind] += 1
+        if counts[kind] > most:
+            others.append(picture)
+        else:
+            shown.append(picture)
+    return [*shown, Folded(f"More drawings of the model ({len(others)})", tuple(others))] if others else shown
 
 
 def level_heading(level: str, levels: Collection[str]) -> Heading:

@@ -47,7 +47,7 @@ from edesign.report.drawing.captions import plain
 from edesign.report.html.section import Facts, Folded, Headline, Headlines, Part, Section, Warnings, made
 from edesign.report.page.project_facts import hazard_rows
 from edesign.report.page.sections.warnings import NONE, warning_table
-from edesign.report.page.source import Source
+from edesign.report.page.source import Source, first_of_each
 from edesign.report.page.step import SHARES, steps
 from edesign.report.tables.table import Table
 from edesign.space.structure.frame import AXES
@@ -138,6 +138,10 @@ def _structure(source: Source, results: BuildingResults) -> Iterable[Part]:
                 yield Facts(tuple(design_rows(building, results)), formulas=True)
 
 
+def _model(source: Source, results: BuildingResults) -> Iterable[Part]:
+    return first_of_each(source.pictures(archived_building_model))
+
+
 def _assumptions(source: Source, results: BuildingResults) -> Iterable[Part]:
     if source.building is not None:
         yield Facts(tuple(building_assumption_rows(source.building)))
@@ -196,7 +200,7 @@ def _table(make: Callable[[BuildingResults], Table]) -> Parts:
 
 _SECTIONS: tuple[tuple[str, str, tuple[Parts, ...]], ...] = (
     ("building", "Verdict", (_verdict,)),
-    ("model", "The model", (_pictures(archived_building_model),)),
+    ("model", "The model", (_model,)),
     ("assumptions", "Assumptions and limits", (_assumptions,)),
     ("warnings", "Warnings", (_warnings,)),
     ("structure", "Structure and loads", (_structure, _table(materials_table), _table(floors_table))),

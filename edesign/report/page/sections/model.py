@@ -11,7 +11,7 @@ from edesign.report.building.variant_elevations import variant_elevations
 from edesign.report.html.section import Section
 from edesign.report.inputs.designed_dampers import archived_dampers
 from edesign.report.model.archived import model_drawings
-from edesign.report.page.source import Source
+from edesign.report.page.source import Source, first_of_each
 from edesign.space.archived import PLACE
 
 if TYPE_CHECKING:
@@ -29,4 +29,4 @@ def model(source: Source) -> Section:
             if source.study is not None:
                 yield from variant_elevations(source.study, archived_dampers(archive, source.study))
 
-    return Section("model", "The model", (), source.pictures(drawings_of_the_model))
+    return Section("model", "The model", (), tuple(first_of_each(source.pictures(drawings_of_the_model))))
