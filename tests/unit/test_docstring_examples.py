@@ -9,7 +9,7 @@ import pytest
 
 import edesign
 
-NAMES = ("calibrate", "fit_law", "match_records", "response_spectra", "run_tests", "translate")
+NAMES = ("calibrate", "fit_law", "make_project", "match_records", "response_spectra", "run_tests", "translate")
 
 
 @pytest.mark.parametrize("name", NAMES)
