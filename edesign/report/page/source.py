@@ -260,7 +260,6 @@ def first_of_each(pictures: Iterable[Picture], most: int = MOST_ALIKE) -> list[P
 
     Args:
         pictures: figures of the page; those whose names differ in their ends are of a kind.
-        most: of a kind.
     """
     shown, others, counts = list[Part](), list[Picture](), Counter[str]()
     for picture in pictures:
