@@ -23,6 +23,7 @@ from edesign.report.drawing.style import new_figure, styled
 from edesign.report.drawing.text_size import text_size, wrapped
 from edesign.report.html.inline_svg import rendered
 from edesign.report.html.lettering import Written, faults, faults_of
+from edesign.report.model.elevation import Elevation, name_of_frame
 from edesign.report.model_drawings import drawings_of
 from edesign.report.page.calibration import calibration_page
 from edesign.study.run.building import run_building
@@ -138,3 +139,21 @@ def test_no_axis_of_a_wide_frame_is_without_its_name(tmp_path: Path) -> None:
     texts = [one.text for one in rendered(figure, "wide").written]
     assert faults(figure) == []
     assert {"A", "G", "H", "Z", "AA", "AB"} <= set(texts)
+
+
+def test_frames_in_a_row_have_dimensions_of_their_own(tmp_path: Path) -> None:
+    """Bays of 6, 2 and 7 m, the middle one without beams: 6.00 and 7.00, and nothing between them."""
+    text = TEXT.replace("bays: [6 m]", "bays: [6 m, 2 m, 7 m]").replace(
+        "material: S275}]\nmaterials", "material: S275}]\n  missing: {beams: [{bays: 2, floors: all}]}\nmaterials"
+    )
+    (tmp_path / "row.yaml").write_text(text, encoding="utf-8")
+    project = load_project(tmp_path / "row.yaml")
+    assert Elevation.of_frame(project.frame).parts == [(0, 1), (2, 3)]
+    _, _, figure = next(iter(drawings_of(project)))
+    texts = [one.text for one in rendered(figure, "row").written]
+    assert texts.count("6.00") == 1 and "7.00" in texts and "2.00" not in texts
+
+
+def test_frames_have_the_names_of_the_building() -> None:
+    assert (name_of_frame(("A1", "B1", "AA1")), name_of_frame(("C1", "C2", "C12"))) == ("X1", "YC")
+    assert {name_of_frame(lines) for lines in (("A", "B"), ("A1", "B2"), ("A1",), ("A1", "B1'"))} == {""}
