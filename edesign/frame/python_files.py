@@ -60,6 +60,7 @@ def make_project(
     integration: Block | None = None,
     validity: Block | None = None,
     hazard: Block | None = None,
+    design: Block | None = None,
     records: Block | None = None,
     outputs: Block | None = None,
     document: Block | None = None,
@@ -90,6 +91,7 @@ def make_project(
         integration: time integration.
         validity: errors and drifts beyond which a result does not count.
         hazard: seismic action and its levels.
+        design: how members are checked under the forces of histories.
         records: ground motions by name.
         outputs: what is kept in the archive.
         document: what the cover of a report says.
@@ -215,6 +217,7 @@ def make_study(
     pushovers: Blocks | None = None,
     criteria: Blocks | None = None,
     objectives: Sequence[str] | None = None,
+    device_factors: str | Block | None = None,
     outputs: Block | None = None,
     document: Block | None = None,
     path: Path | str = "study.yaml",
@@ -233,6 +236,7 @@ def make_study(
         pushovers: pushovers of the variants.
         criteria: what is demanded.
         objectives: cells of the table of FEMA 356.
+        device_factors: those of the code on stroke, velocity and force of dampers.
         outputs: what is kept in the archive.
         document: what the cover of a report says.
         path: where the file would stand, as of `make_project`.

@@ -102,6 +102,7 @@ def test_every_key_is_documented() -> None:
         "foundations",
         "wave_passage",
         "study_file",
+        "damper_connections",
         "damper_design",
         "viscous_design",
         "hysteretic_design",
