@@ -45,6 +45,12 @@ _HINGE = "{beams: {floors: 1}, " + _VALUES + "}"
 _SOIL = "{density: 1900 kg/m^3, shear_wave_velocity: 200 m/s, poisson: 0.4, damping: 3 %}"
 _ISOLATOR = "- {lines: all, law: pendulum, vertical: {stiffness: 1500 kN/mm, uplift: true}}"
 _BASE = "base: {G: 36 kN/m, Q: 12 kN/m, beams: {section: grid, material: concrete}}"
+_MASSES = "masses: {from_loads: {}}\n"
+_PSI = "[0.7, 0.5, 0.2]"
+_FACADE = "{side: x-, pressure: 1 kN/m^2}"
+_SLAB = "slab: {thickness: 80 mm, ribs: 60 mm, E: 30 GPa}"
+_VALUES_ONLY = "plain: {area: 54 cm^2, inertia: 8356 cm^4, weak_inertia: 604 cm^4, torsion_constant: 20 cm^4}"
+_PLATES = "plain: {height: 300 mm, width: 150 mm, flange: 12 mm, web: 8 mm}"
 _FIRST = "levels: [DBE, MCE], records: set, free_vibration: 1 s}"
 
 ACTIONS = (
@@ -321,6 +327,12 @@ ANALYSES = (
 FRAME = (
     _row(
         "small",
+        ("bays: [6 m, 7.5 m]", "bays: [6 m, 7.5 m]\n  axes: [A, 2, C]"),
+        "names no line; write a capital letter, then letters, figures or ', 8 at most, such as `A1`",
+        ("[A, 2, C]", "[A, B, C]"),
+    ),
+    _row(
+        "small",
         ("- {lines: B, storeys: 2-3", "- {lines: [], storeys: 2-3"),
         "the list is empty; write `all`, one, a range such as `",
         ("lines: []", "lines: all"),
@@ -583,6 +595,34 @@ DAMPERS = (
 
 DESIGNS = (
     _row(
+        "viscous",
+        ("kind: chevron, bays: 1", "kind: chevron, places: [{kind: rising, bays: 1}]"),
+        "`places` says this for each kind; leave `kind` out",
+        ("kind: chevron, ", ""),
+    ),
+    _row(
+        "simplified",
+        ("method: simplified", "method: simplified, brace: {choose: [CHS], material: steel, ratio: 2}"),
+        "`alpha` says how stiff they are at least; keep one of them",
+        (", ratio: 2", ""),
+    ),
+    _row(
+        "hysteretic",
+        ("law: pad, kind: chevron", "law: brb, kind: rising, carries_gravity: true, distribution: strain_energy"),
+        "is of the frame without its dampers, which stands by them here; take `storey_shear` or `uniform`",
+        ("strain_energy", "storey_shear"),
+        ("strain_energy", "uniform"),
+    ),
+    _row(
+        "hysteretic",
+        (
+            ("law: pad, kind: chevron", "law: brb, kind: rising, carries_gravity: true"),
+            ("shear_share: 30 %", "damping: 10 %"),
+        ),
+        "no least braces reach a damping; give `shear_share`, and meet criteria by `verify`",
+        ("damping: 10 %", "shear_share: 30 %, verify: {records: shake, levels: DBE, criteria: drift}"),
+    ),
+    _row(
         "elastomer",
         ("strain: 20 %", "strain: histories, level: DBE"),
         "there are no histories without `verify`; give it, or take `spectrum`",
@@ -803,6 +843,16 @@ _ONE_LEVEL = (("levels: [DBE, MCE], records: set", "levels: DBE, records: set"),
 STUDIES = (
     _row(
         "study",
+        (
+            "modal: {modes: 2}",
+            "vary: [{name: stiff, variants: bare, place: materials.S275.E, values: [200 GPa], grid: {materials.S275.E: [200 GPa]}}]\nmodal: {modes: 2}",
+        ),
+        "give either `place` with `values`, or a `grid` of several places",
+        ("place: materials.S275.E, values: [200 GPa], ", ""),
+        (", grid: {materials.S275.E: [200 GPa]}", ""),
+    ),
+    _row(
+        "study",
         ("objectives: [h]", "objectives: [a]"),
         "T_R = 2475 years); add to `hazard: levels` one with `probability: 50 %`",
         ("MCE: {probability: 2 %}", "MCE: {probability: 2 %}, often: {probability: 50 %}"),
@@ -948,6 +998,92 @@ BUILDINGS = (
         "has ends with a stiffness already (`beams: ends`); leave out one of both",
         (", ends: 9 MN*m/rad", ""),
         ("joints: [{beams: {along: y}, stiffness: 8 MN*m/rad}]\n", ""),
+    ),
+    _row(
+        "building",
+        (_MASSES, f"  pattern: chessboard\n  live_load_reduction: true\n{_MASSES}"),
+        "`live_load_reduction` goes by whole areas, and a pattern loads half of them; take one",
+        ("  live_load_reduction: true\n", ""),
+        ("  pattern: chessboard\n", ""),
+    ),
+    _row(
+        "building",
+        (_MASSES, f"  psi: {{snow: {_PSI}}}\n{_MASSES}"),
+        "`snow` has factors of its own; `hazard: national: psi` states others",
+        ((f"  psi: {{snow: {_PSI}}}\n", ""), ("ground: B", f"ground: B, national: {{psi: {{snow: {_PSI}}}}}")),
+    ),
+    _row(
+        "building",
+        (
+            _MASSES,
+            f"  cases: {{w: {{category: wind, floors: [{{floors: 1, x: 50 kN}}]}}}}\ndiaphragms: none\n{_MASSES}",
+        ),
+        " is not rigid as one; give forces on its `nodes`, or `facades`",
+        ("floors: [{floors: 1, x: 50 kN}]", "nodes: [{at: A1, floors: 1, x: 50 kN}]"),
+        ("floors: [{floors: 1, x: 50 kN}]", "facades: [{side: x-, pressure: 1 kN/m^2}]"),
+    ),
+    _row(
+        "building",
+        (
+            ("braces:\n", "missing: {columns: [{at: A3, storeys: 1}]}\nbraces:\n"),
+            (_MASSES, f"  cases: {{w: {{category: wind, facades: [{_FACADE}]}}}}\n{_MASSES}"),
+        ),
+        ", where nothing is; give its load by `nodes`",
+        (f"facades: [{_FACADE}]", "nodes: [{at: A, floors: 1-2, x: 40 kN}]"),
+    ),
+    _row(
+        "building",
+        (_MASSES, f"  cases: {{Q: {{category: wind, facades: [{_FACADE}]}}}}\n{_MASSES}"),
+        "`Q` is a name of edesign's own cases; take another one",
+        ("{Q: {category", "{wind_x: {category"),
+    ),
+    _row(
+        "building",
+        (_MASSES, f"  cases: {{w: {{category: wind}}}}\n{_MASSES}"),
+        "this case has no load: give `areas`, `beams`, `nodes`, `floors` or `facades`",
+        *(
+            (("category: wind", f"category: wind, {load}"),)
+            for load in (
+                "areas: [{q: 1 kN/m^2, spans: x}]",
+                "beams: [{along: x, q: 2 kN/m}]",
+                "nodes: [{at: A1, floors: 1, x: 50 kN}]",
+                "floors: [{floors: 1, x: 50 kN}]",
+                f"facades: [{_FACADE}]",
+            )
+        ),
+    ),
+    _row(
+        "building",
+        ("section: IPE300, ", f"section: IPE300, stiffness_factor: 2, {_SLAB}, "),
+        "the factor follows from `slab`; give one of both",
+        ("stiffness_factor: 2, ", ""),
+        (f"{_SLAB}, ", ""),
+    ),
+    _row(
+        "building",
+        (
+            ("section: IPE300, ", f"section: plain, {_SLAB}, "),
+            ("materials: {", f"sections: {{{_VALUES_ONLY}}}\nmaterials: {{"),
+        ),
+        "has no height, which the slab lies above; give a profile or plates",
+        ("section: plain", "section: IPE300"),
+        (_VALUES_ONLY, _PLATES),
+    ),
+    _row(
+        "building",
+        ("spans: x}", "spans: x, secondary_section: IPE200, secondary_material: S275}"),
+        "there are none: give their number, `secondary_beams`",
+        ("secondary_section", "secondary_beams: 1, secondary_section"),
+    ),
+    _row(
+        "building",
+        (
+            ("spans: x}", "spans: x, secondary_beams: 1, secondary_section: plain, secondary_material: S275}"),
+            ("materials: {", f"sections: {{{_VALUES_ONLY}}}\nmaterials: {{"),
+        ),
+        "has no class and no resistance; give a profile, or plates",
+        ("section: plain", "section: IPE200"),
+        (_VALUES_ONLY, _PLATES),
     ),
 )
 
@@ -1189,6 +1325,7 @@ LEFT = {
         "has no I section; give the `distance`", "leave the `scale` out, or say `weight: law`",
         "has area and inertia but no depth", "without `masses` there is no first period",
         "write `design: ", "give plates or `rectangles`", "see `integration: time_step` and `outputs: every`",
+        "does not yield, so that nothing limits its braces; give one with `fy`",
         "`statistic: maximum` is on the safe side", "and the project has no `hazard`; give it one with such a level",
     ),
     "it is of places in buildings; tests/unit/project/test_placement_in_buildings.py, test_placement_designs.py provoke it": (

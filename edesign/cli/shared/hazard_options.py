@@ -158,7 +158,10 @@ def _of_other_code(given: dict[str, str], values: list[str], level: str | None) 
     )
     if found is None:
         lines = [f"{_set_flag(problem.keys_text)}: {problem.message}" for problem in problems.found]
-        raise InputError("\n".join(lines) + f"\n(the seismic action of {code}, by --set KEY=VALUE) [E-CLI-03]")
+        raise InputError(
+            "\n".join(lines)
+            + f"\n(the seismic action of {code} comes from --project, or from --set KEY=VALUE) [E-CLI-03]"
+        )
     elastic_spectrum(found.hazard, level)  # a level that is missing or does not exist shows here
     return found.hazard, level
 

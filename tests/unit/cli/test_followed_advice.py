@@ -220,6 +220,14 @@ ROWS_OF_A_TEST = "".join(f"{0.01 * i:.2f},{5.0 * (-1) ** (i // 10):g},{(-1) ** (
 RECORDED = "".join(f"{0.01 * i:.2f},{0.1 * (-1) ** (i // 20):g}\n" for i in range(400))
 LAYERS = ("--layers", "2", "--layer-area", "41400 mm^2", "--layer-thickness", "12 mm")
 SITE = ("--ground", "B")
+SET_KEYS = tuple(
+    word
+    for value in (
+        *("nominal_life=50 years", "class_of_use=II", "levels.SLV.limit_state=SLV"),
+        *("levels.SLV.a_g=0.2 g", "levels.SLV.F_0=2.5", "levels.SLV.T_C_star=0.3 s"),
+    )
+    for word in ("--set", value)
+)
 COMMANDS: dict[str, tuple[tuple[str, ...], str, tuple[tuple[str, ...], ...]]] = {
     "layers": (
         ("characterise", "test.csv", "--temperature", "20 degC"),
@@ -258,7 +266,15 @@ COMMANDS: dict[str, tuple[tuple[str, ...], str, tuple[tuple[str, ...], ...]]] = 
     ),
     "code": (
         ("spectrum", *SITE, "--code", "ntc-2018"),
-        "--code: `hazard` --project E-CLI-04",
+        "--set nominal_life: --set class_of_use: `II`, --project, --set KEY=VALUE E-CLI-03",
+        (
+            ("spectrum", "--project", "italian.yaml", "--level", "SLV"),
+            ("spectrum", *SITE, "--code", "ntc-2018", *SET_KEYS, "--level", "SLV"),
+        ),
+    ),
+    "tables": (
+        ("spectrum", "--code", "user"),
+        "--code: --project E-CLI-04",
         (("spectrum", "--project", "italian.yaml", "--level", "SLV"),),
     ),
     "project says it": (

@@ -237,7 +237,7 @@ def test_the_frame_of_a_building_is_checked_as_in_the_building() -> None:
     whole = building(SMALL.replace("ductility_class: medium", design))
     plane = project(project_text(frame_row(whole, space_frame(whole), "X2")))
     assert plane.design is not None and plane.design.partial_factors.M1 == 1.1
-    pairs = {"C_A2_1": "C_A_1", "C_B2_2": "C_B_2", "BX_2_1_1": "B_1_1", "BX_2_2_2": "B_2_2"}
+    pairs = {"C_A2_1": "C_A2_1", "C_B2_2": "C_B2_2", "BX_2_1_1": "B_1_1", "BX_2_2_2": "B_2_2"}
     rng = np.random.default_rng(63)
     values = rng.normal(0.0, 0.3, (40, len(pairs), 2, 3)) * np.array([2e6, 4e5, 1.7e5])
     values[:, :, 1, 0] = values[:, :, 0, 0]

@@ -43,12 +43,17 @@ def test_a_file_of_another_command_names_that_command(
     assert says(error, "edesign: `edesign run` E-FILE-05")
 
 
-def test_run_names_the_command_of_substructure_tests(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    path = tmp_path / "rts.yaml"
-    path.write_text(MOVED, encoding="utf-8")
-    error = said(capsys, "run", path)
-    assert "E-FILE-05" in error
-    assert "`edesign rts run` runs it" in error
+def test_run_runs_substructure_tests_as_rts_run_does(tmp_path: Path) -> None:
+    for words in (("run",), ("rts", "run")):
+        path = tmp_path / "_".join(words) / "rts.yaml"
+        path.parent.mkdir()
+        path.write_text(MOVED, encoding="utf-8")
+        assert main([*words, str(path), "--quiet"]) == 0
+    rows = []
+    for folder in ("run", "rts_run"):
+        with open_archive(tmp_path / folder / "rts.h5") as archive:
+            rows.append([run.text("outcome") for run in runs(archive)])
+    assert rows[0] == rows[1] == ["done"]
 
 
 def test_a_missing_file_is_called_what_it_would_be(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -12,6 +12,7 @@ from design_examples import MadeVerdict, design, shear_project
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter
+from edesign.errors import InputError
 from edesign.ground_motion.hazard import rules_in_force
 from edesign.project.dampers.dampers import BraceSection, DamperRun, Dampers
 from edesign.report.design.braces_table import braces_table
@@ -70,6 +71,14 @@ def test_braces_are_chosen_for_the_forces_of_histories() -> None:
 def test_a_list_that_ends_too_soon_fails_the_design_and_says_so() -> None:
     result = run(Histories(1e9))
     assert result.status == "failed" and "no section holds 7.1" in result.reason
+
+
+def test_braces_that_nothing_limits_are_refused_until_their_steel_yields() -> None:
+    """The steel of the shear frame is elastic without `fy`; that of all other tests here yields."""
+    project, histories = shear_project(2, LAWS), Histories(1.0)
+    spec = design(TEXT.replace("S355", "steel"), project)
+    with pytest.raises(InputError, match=r"brace\.material: `steel` does not yield.*give one with `fy`"):
+        run_design(project, "tried", spec, Path("."), histories.respond, histories.judge)
 
 
 def test_finished_rounds_keep_their_forces(tmp_path: Path) -> None:
