@@ -118,8 +118,8 @@ def _combinations(design: ElasticDesign) -> Group:
         group.add(name, ("combination",), values, "", text)
     group.coords["case"] = Variable(("case",), np.array(design.effects.cases), "", "load case")
     group.coords["axis"] = Variable(("axis",), np.array(AXES), "", "direction of the seismic action")
-    static = [[row.static.get(case, 0.0) for case in design.effects.cases] for row in design.combinations]
-    group.add("static", ("combination", "case"), np.array(static), "1", "factors of the load cases")
+    static = design.effects.static_factors(design.combinations)
+    group.add("static", ("combination", "case"), static, "1", "factors of the load cases")
     seismic = np.array([row.seismic[:2] for row in design.combinations])
     group.add("seismic", ("combination", "axis"), seismic, "1", "factors of the seismic action along x and y")
     return group

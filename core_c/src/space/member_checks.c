@@ -57,6 +57,8 @@ static inline __attribute__((always_inline)) void combine(const loads *l, int at
   for (int i = 0; i < l->cases; i++) {
     const double *restrict of = l->statics + i * all + own;
     const double factor = f[i];
+    if (factor == 0.0)
+      continue; /* of hundreds of sway imperfections one acts */
     for (int j = 0; j < row; j++)
       steady[j] += factor * of[j];
     for (int s = 0; s < l->stations && l->gravity[i]; s++)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -34,8 +35,29 @@ class Effects:
         Args:
             combination: of load cases and responses.
         """
-        factors = np.array([combination.static.get(case, 0.0) for case in self.cases])
-        return np.asarray(np.tensordot(factors, self.static, 1))
+        acting = [(self.numbers[case], factor) for case, factor in combination.static.items() if case in self.numbers]
+        found = np.zeros(self.static.shape[1:])
+        for number, factor in sorted(acting):  # few of hundreds of sway imperfections
+            found += factor * self.static[number]
+        return found
+
+    @cached_property
+    def numbers(self) -> Mapping[str, int]:
+        """The number of each case by its name."""
+        return {name: number for number, name in enumerate(self.cases)}
+
+    def static_factors(self, combinations: Sequence[Combination]) -> np.ndarray:
+        """Return the factors of the load cases in combinations, (n_combinations, n_cases).
+
+        Args:
+            combinations: of load cases and responses.
+        """
+        found = np.zeros((len(combinations), len(self.cases)))
+        for row, combination in zip(found, combinations, strict=True):
+            for case, factor in combination.static.items():
+                if case in self.numbers:
+                    row[self.numbers[case]] = factor
+        return found
 
     def of_seismic(self, combination: Combination) -> np.ndarray:
         """Return the magnitude of the seismic part of a combination, (n_members, n_stations, 6).

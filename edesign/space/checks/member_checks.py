@@ -200,7 +200,7 @@ class MemberChecker:
         spectral, factors = _spectral(effects, rows)
         table = MemberTable.of([member.constants for member in members])
         of_members = MemberTable(table.constants[kinds], table.kind[kinds])
-        static_factors = np.array([[row.static.get(case, 0.0) for case in effects.cases] for row in rows])
+        static_factors = effects.static_factors(rows)
         M_b = of_beams = None
         if self._free_beams is not None:
             free, M_b = self._free_beams, np.repeat(of_members.column("M_b_Rd")[:, None], len(rows), axis=1)
