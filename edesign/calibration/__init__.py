@@ -12,9 +12,9 @@ from __future__ import annotations
 from importlib import import_module
 from typing import Any
 
-__all__ = ["calibrate", "load"]
+__all__ = ["calibrate", "load_campaign"]
 
-_PLACES = {"calibrate": "run", "load": "campaign"}
+_PLACES = {"calibrate": "run", "load_campaign": "campaign"}
 
 
 def __getattr__(name: str) -> Any:

@@ -55,7 +55,7 @@ def test_a_run_goes_on_with_the_same_results(file: Path) -> None:
         expected = archive.group("analyses/shaken")
     again = file.with_name("again.h5")
     process = subprocess.Popen(
-        command("run", file, "--archive", again), stderr=subprocess.PIPE, text=True, env=environment()
+        command("run", file, "--workers", "1", "--archive", again), stderr=subprocess.PIPE, text=True, env=environment()
     )
     assert process.stderr is not None
     with limited(process):

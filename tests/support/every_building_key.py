@@ -157,6 +157,9 @@ design:
     objective: cost
     prices: {IPE: 1.5, HEB: 1.6, default: 2.2}
     columns_not_larger_above: true
+    prices_each: {splice: 300, doubler: 200}
+    same_depth: [columns]
+    most_sections: {beams: 4}
     starts: 1
     evaluations: 300
     leave_out: [4.2.3.2(6), 6.7.3(1), 6.7.3(2), 6.7.3(8)]

@@ -11,7 +11,7 @@ import pytest
 from messages import says
 from scipy.integrate import quad
 
-from edesign.calibration import calibrate, load
+from edesign.calibration import calibrate, load_campaign
 from edesign.calibration.properties.campaign import load_property_campaign
 from edesign.calibration.properties.corrected import table_law
 from edesign.calibration.properties.from_campaign import property_problem
@@ -176,7 +176,7 @@ def _calibrated(folder: Path, c: float = 0.0, alpha: float = 1.0, peak: float = 
             lines.append(f"20,{100 * strain:g},{frequency:g},{1e-6 * G:.5f},{1e-6 * G_eq:.5f},{n:.5f}")
     (folder / "table.csv").write_text("\n".join(lines) + "\n")
     (folder / "campaign.yaml").write_text(MADE)
-    found = calibrate(load(folder / "campaign.yaml"), threads=1)
+    found = calibrate(load_campaign(folder / "campaign.yaml"), threads=1)
     assert isinstance(found, PropertyCalibration)
     return found
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from messages import says
 
-from edesign.calibration import load as load_campaign
+from edesign.calibration import load_campaign
 from edesign.calibration.structures.campaign import StructureCampaign, load_structure_campaign
 from edesign.calibration.structures.from_campaign import blank_problem
 from edesign.calibration.structures.problem import StructureProblem
