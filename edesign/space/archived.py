@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
 import numpy as np
 
 from edesign.archive.dataset import Group, Variable
+from edesign.space.analysis.actions import patterns_of
 from edesign.space.analysis.response import STATIONS
 from edesign.space.archived_basis import add_restraints, basis
 from edesign.space.checks.buckling_moments import FreeBeamMoments
@@ -18,6 +19,8 @@ from edesign.space.structure.frame import AXES
 PLACE = "building"
 SELECTION = "selection"
 """Of how `edesign design` chose the sections, below `PLACE`; other designs have none."""
+IMPERFECTION = "S"
+"""What the cases of sway imperfections are alternatives of."""
 FORCES = ("N", "V_y", "V_z", "T", "M_y", "M_z")
 _UNITS = "N, moments N*m"
 
@@ -117,12 +120,30 @@ def _combinations(design: ElasticDesign) -> Group:
         values = np.array([getattr(row, name) for row in design.combinations])
         group.add(name, ("combination",), values, "", text)
     group.coords["case"] = Variable(("case",), np.array(design.effects.cases), "", "load case")
+    text = "what the case is an alternative of: `[category]`, `[case]` of patterns, sway imperfections; else itself"
+    group.add("alternative", ("case",), np.array([*map(_alternative(design), design.effects.cases)]), "", text)
     group.coords["axis"] = Variable(("axis",), np.array(AXES), "", "direction of the seismic action")
     static = design.effects.static_factors(design.combinations)
     group.add("static", ("combination", "case"), static, "1", "factors of the load cases")
     seismic = np.array([row.seismic[:2] for row in design.combinations])
     group.add("seismic", ("combination", "axis"), seismic, "1", "factors of the seismic action along x and y")
     return group
+
+
+def _alternative(design: ElasticDesign) -> Callable[[str], str]:
+    """Return the function that says what a load case is an alternative of."""
+    cases, sway = design.frame.cases, set(design.sway.cases)
+    patterned = {name for of in patterns_of(cases, design.building.loads.pattern) for name in of}
+    patterned = {name for name in patterned if {name[:-1] + half for half in "12"} <= patterned}
+
+    def of(name: str) -> str:
+        if name in sway:
+            return IMPERFECTION if name.startswith("S_") else "P_Delta"
+        if name in cases and cases[name].own:
+            return f"[{cases[name].category}]"
+        return f"[{name[:-1]}]" if name in patterned else name
+
+    return of
 
 
 def _storeys(design: ElasticDesign, axis: str) -> Group:

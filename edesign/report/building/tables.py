@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -17,6 +16,7 @@ from edesign.project.notation.printed_unit import told_apart
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.report.building.check_table import check_words, use
 from edesign.report.building.code_in_use import in_code, rules_in_use
+from edesign.report.building.combination_table import combinations_table
 from edesign.report.building.deflection_table import deflection_table
 from edesign.report.building.foundation_table import foundation_table, persistent_table, reaction_table
 from edesign.report.building.lateral_tables import drifts_table, lateral_cases_table
@@ -28,8 +28,6 @@ from edesign.report.tables.number import finite, significant
 from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import KN, M_S2, MM, ONE, PERCENT, S, Unit
 from edesign.space.structure.frame import AXES, Axis
-
-_SIGN_OF_HORIZONTAL = re.compile(r"[+-] (?=(?:[0-9.]+ )?(?:E_[xyz]|S_[xy]|SRSS\())")
 
 Make = Callable[[BuildingResults], Table]
 
@@ -144,12 +142,6 @@ MEMBERS = TableSpec[Worst](
     ),
     notes=("use: effect over resistance; combination: its number among those below",),
     keys=2,
-)
-COMBINATIONS = TableSpec[dict[str, str]](
-    "combinations",
-    "Combinations of actions",
-    (text("no."), formula("combination", broken=1), formula("situation"), text("EN 1990")),
-    keys=4,
 )
 VERDICT = TableSpec[None]("verdict", "Verdict", ())
 MISSING = TableSpec[None]("missing", "Missing", ())
@@ -290,36 +282,6 @@ def groups_table(results: BuildingResults, say: Callable[[str], str] = str) -> T
         notes.append("inf: there is no resistance, as beyond a critical force, or beside so much shear or axial force")
     clauses = {worst.name: worst.clause for worst in groups}
     return MEMBERS.of(groups, notes=[*notes, *(f"{name}: {clause}" for name, clause in clauses.items())])
-
-
-def combinations_table(results: BuildingResults) -> Table:
-    """Return the combinations of actions; those that differ in signs of horizontal actions stand in one row."""
-    alike: dict[tuple[object, ...], list[Row]] = {}
-    for row in results.rows("combinations", "combination"):
-        alike.setdefault((row["set"], row["equation"], *np.abs(row["static"]), *np.abs(row["seismic"])), []).append(row)
-    rows = []
-    for several in alike.values():
-        first = several[0]
-        amplified = np.abs(first["seismic"]).max(initial=0.0) > 1.0
-        name = str(first["name"])
-        rows.append(
-            {
-                "no.": _numbers([row.number for row in several]),
-                "combination": _SIGN_OF_HORIZONTAL.sub("+- ", name) if len(several) > 1 else name,
-                "situation": f"{first['set']}, 1.1 gamma_ov Omega" if amplified else first["set"],
-                "EN 1990": first["equation"],
-            }
-        )
-    imperfect = "S_x, S_y: sway imperfections, of the combination that they stand in; P_Delta: its sway amplified"
-    return COMBINATIONS.of(rows, notes=[imperfect] if any("S_x" in row["combination"] for row in rows) else [])
-
-
-def _numbers(places: list[int]) -> str:
-    """Numbers from 1 of places in rising order: 2-5, or 2, 4."""
-    first, last = places[0] + 1, places[-1] + 1
-    if len(places) > 1 and last - first == len(places) - 1:
-        return f"{first}-{last}"
-    return ", ".join(str(place + 1) for place in places)
 
 
 def verdict_table(results: BuildingResults) -> Table:

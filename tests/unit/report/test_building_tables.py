@@ -17,6 +17,7 @@ from edesign.archive.reader import Archive, open_archive
 from edesign.cli.main import main
 from edesign.errors import ArchiveError, InputError
 from edesign.frame.building_file import load_building
+from edesign.report.building.combination_table import combinations_table
 from edesign.report.building.results import BuildingResults
 from edesign.report.building.tables import building_tables
 from edesign.report.tables.text import broken, plain, print_tables, printed
@@ -40,12 +41,39 @@ def archive(path: Path) -> Iterator[Archive]:
 
 
 def test_combinations_that_differ_in_signs_stand_in_one_row(archive: Archive) -> None:
-    rows = next(table for table in building_tables(archive) if table.title == "Combinations of actions").rows
+    rows = combinations_table(BuildingResults(archive)).rows
     names = [row[1] for row in rows]
-    assert names[:3] == ["1.35 G + 1.5 Q", "1.35 G + 1.5 Q +- S_x", "1.35 G + 1.5 Q +- S_y"]
-    assert names[3:5] == ["G + 0.3 Q +- E_x +- 0.3 E_y", "G + 0.3 Q +- E_y +- 0.3 E_x"]
-    assert [row[0] for row in rows] == ["1", "2-3", "4-5", "6-9", "10-13", "14-17", "18-21", "22"]
-    assert [row[2] for row in rows[5:7]] == ["seismic, 1.1 gamma_ov Omega"] * 2
+    assert names[:2] == ["1.35 G + 1.5 Q", "1.35 G + 1.5 Q +- S"]
+    assert names[2:4] == ["G + 0.3 Q +- E_x +- 0.3 E_y", "G + 0.3 Q +- E_y +- 0.3 E_x"]
+    assert [row[0] for row in rows] == ["1", "2-5", "6-9", "10-13", "14-17", "18-21", "22"]
+    assert [row[2] for row in rows[4:6]] == ["seismic, 1.1 gamma_ov Omega"] * 2
+
+
+def test_patterns_directions_and_signs_of_own_cases_stand_in_one_row(tmp_path: Path) -> None:
+    """Three arrangements of Q and three winds that exclude each other: 3 + 3 x 3 + 3 + 3 combinations by 6.10.
+
+    Each of the 18 has four more with a sway imperfection, which stand behind them.
+    """
+    cases = "  pattern: chessboard\n  cases:\n"
+    cases += "    wind_x: {category: wind, reversed: true, floors: [{floors: all, x: 9 kN}]}\n"
+    cases += "    wind_y: {category: wind, floors: [{floors: all, y: 9 kN}]}\nmasses:"
+    (tmp_path / "own.yaml").write_text(SMALL.replace("masses:", cases), encoding="utf-8")
+    with open_archive(run_building(load_building(tmp_path / "own.yaml"))[0]) as archive:
+        table = combinations_table(BuildingResults(archive))
+    rows = {str(row[1]): str(row[0]) for row in table.rows if row[2] == "fundamental"}
+    bare = ["1.35 G + 1.5 [Q]", "1.35 G + 1.5 [Q] + 0.9 [wind]", "1.35 G + 1.05 Q + 1.5 [wind]", "G + 1.5 [wind]"]
+    assert sorted(rows) == sorted([*bare, *(f"{name} +- S" for name in bare)])
+    assert [len(numbers_in(rows[name])) for name in bare] == [3, 9, 3, 3]
+    assert [len(numbers_in(rows[f"{name} +- S"])) for name in bare] == [12, 36, 12, 12]
+    assert sorted(sum(map(numbers_in, rows.values()), [])) == [*range(1, 18 * 5 + 1)]
+    assert {"Q: Q1 + Q2", "[Q]: one of Q1 + Q2, Q1, Q2", "[wind]: one of wind_x, -wind_x, wind_y"} <= set(table.notes)
+    assert table.rows[-1][1] == "G + [wind]" and table.rows[-1][2] == "characteristic"
+
+
+def numbers_in(text: str) -> list[int]:
+    """All numbers of ranges such as `2-5, 9`."""
+    ends = [[int(end) for end in part.split("-")] for part in text.split(", ")]
+    return [number for end in ends for number in range(end[0], end[-1] + 1)]
 
 
 def test_tables_fit_on_80_columns(archive: Archive) -> None:

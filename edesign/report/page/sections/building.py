@@ -20,6 +20,7 @@ from edesign.report.building.basis_tables import (
 from edesign.report.building.check_table import check_words, group_checks_table
 from edesign.report.building.checks import effects_table, worked_table, worked_worst
 from edesign.report.building.code_in_use import in_code, rules_in_use
+from edesign.report.building.combination_table import combinations_table
 from edesign.report.building.curves import mode_shapes, spectra, storey_curves
 from edesign.report.building.deflection_table import deflection_table
 from edesign.report.building.elevations import elevations
@@ -33,7 +34,6 @@ from edesign.report.building.results import BuildingResults
 from edesign.report.building.steel_list import doublers_table, every_member_table, steel_list_table
 from edesign.report.building.tables import (
     base_shear_table,
-    combinations_table,
     criteria_table,
     failures,
     groups_table,
