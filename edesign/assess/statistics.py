@@ -11,7 +11,11 @@ import numpy as np
 
 from edesign.codes.registry import Code, find_code
 
-CODES: Mapping[str, Code] = {"ec8": find_code("ec8-2004"), "asce7": find_code("asce7-22")}
+CODES: Mapping[str, Code] = {
+    "ec8": find_code("ec8-2004"),
+    "ntc2018": find_code("ntc-2018"),
+    "asce7": find_code("asce7-22"),
+}
 """Statistics that leave the choice to a code: its rules for a set say of how many motions the mean counts."""
 FRACTION = 0.84
 """The percentile beside the median: about one standard deviation above it if the logarithms are normal."""
@@ -94,13 +98,13 @@ def statistic(name: str, values: Mapping[str, float]) -> float | None:
 def code_statistic(name: str, count: int) -> str:
     """Return the statistic that a code takes of so many motions, other names as they are.
 
-    `ec8`: the mean of seven or more, else the maximum (EN 1998-1, 4.3.3.4.3(3)). `asce7`: the mean (ASCE/SEI 7-22,
-    16.4), as it has no rule for fewer than eleven (16.2.2).
+    `ec8` and `ntc2018`: the mean of seven or more, else the maximum (EN 1998-1, 4.3.3.4.3(3); NTC 2018, 7.3.5).
+    `asce7`: the mean (ASCE/SEI 7-22, 16.4), as it has no rule for fewer than eleven (16.2.2).
 
     Args:
-        name: "ec8", "asce7", or a statistic.
+        name: "ec8", "ntc2018", "asce7", or a statistic.
     """
-    if name == "ec8":
+    if name in ("ec8", "ntc2018"):
         return "mean" if count >= CODES[name].set_rules.number_for_mean else "maximum"
     return "mean" if name in CODES else name
 

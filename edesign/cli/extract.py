@@ -47,7 +47,7 @@ def extract(
         typer.Option(
             "--drift",
             metavar="RATIO",
-            help="Largest storey drift in the study, `1 %`; by default that of the building's limit over nu.",
+            help="Largest storey drift in the study, `1 %`; by default what the building's limit allows.",
         ),
     ] = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace a file that is of something else.")] = False,

@@ -71,8 +71,8 @@ def _quantity(value: Any) -> Any:
     raise refuse(unknown_name("quantity", str(value), QUANTITIES, known))
 
 
-PLAIN_STATISTICS = ("mean", "maximum", "median", "ec8", "asce7")
-"""Statistics that need no number; `ec8` and `asce7` are what these codes take of so many motions."""
+PLAIN_STATISTICS = ("mean", "maximum", "median", "ec8", "ntc2018", "asce7")
+"""Statistics that need no number; the last three are what these codes take of so many motions."""
 _PERCENTILE = re.compile(r"(?:percentile )?([0-9]+(?:\.[0-9]+)?) ?%")
 
 
@@ -132,7 +132,8 @@ class _Criterion(Model):
         source: clause of a code, or an agreement, that the limit comes from; the report prints it beside the check.
         variants: variants that are judged, each on its own, or `all`.
         levels: hazard levels that are judged, each on its own, or `all`.
-        statistic: statistic over the histories; `ec8` and `asce7` take the mean or maximum by the number of motions.
+        statistic: statistic over the histories; `ec8`, `ntc2018` and `asce7` take the mean or maximum by the number
+            of motions.
         share: share of the histories that have to meet the limit, in place of a statistic.
         storeys: storeys that count.
     """

@@ -290,6 +290,7 @@ def _verify(study: Study, problems: Problems, keys: Keys, verify: AnyVerify) -> 
         message = "this key is missing; criteria judge histories at levels of the hazard"
         problems.under(keys, "levels", f"{message}: {listed(study.base.hazard_levels)} [E-KEY-02]")
         return
+    _at_their_levels(study, problems, keys, verify)
     _of_more_than_dampers(study, problems, keys, verify)
     for i, name in enumerate(verify.criteria):
         asked = next((c.levels for c in study.criteria if c.name == name), ())
@@ -298,6 +299,21 @@ def _verify(study: Study, problems: Problems, keys: Keys, verify: AnyVerify) -> 
                 f"`{name}` is of {listed(asked)}, and the histories here are at {listed(verify.levels)} [E-CRIT-05]"
             )
             problems.at_item((*keys, "criteria"), i, message)
+
+
+def _at_their_levels(study: Study, problems: Problems, keys: Keys, verify: AnyVerify) -> None:
+    """Records that are fitted to the spectrum of one level are run at it, and each level needs records."""
+    known = [name for name in map(record_of, verify.records) if name in study.base.records]
+    fits = {name: study.base.fitted_level(name) for name in known}
+    elsewhere = [name for name, only in fits.items() if only is not None and only not in (verify.levels or ())]
+    check_fitted_levels((*keys, "levels"), elsewhere, verify.levels or (), study.base, problems)
+    if elsewhere or not fits or None in fits.values():
+        return
+    for i, level in enumerate(verify.levels or ()):
+        if level in study.base.hazard_levels and level not in fits.values():
+            others = listed(dict.fromkeys(only for only in fits.values() if only is not None))
+            message = f"no record here is fitted to the spectrum of `{level}`, only to that of {others}"
+            problems.at_item((*keys, "levels"), i, f"{message}; add one with `match: {{level: {level}}}` [E-SCALE-02]")
 
 
 def _of_more_than_dampers(study: Study, problems: Problems, keys: Keys, verify: AnyVerify) -> None:

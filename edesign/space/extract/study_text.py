@@ -7,18 +7,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from edesign.codes.ec8.drift import drift_limit
 from edesign.codes.ec8.ground import ground_type
 from edesign.errors import InputError
-from edesign.ground_motion.hazard import elastic_spectrum, objective_level
+from edesign.ground_motion.hazard import elastic_spectrum
 from edesign.ground_motion.simulation.simulate import simulate
 from edesign.ground_motion.simulation.site import V_S30_RANGE
 from edesign.project.actions.hazard import EC8Hazard
-from edesign.project.building.design import Drift
 from edesign.project.building.names import BeamPlace
 from edesign.project.reading.yaml_edit import yaml_text
 from edesign.space.extract.frame_row import FrameRow
 from edesign.space.extract.selections import selection, value
+from edesign.space.extract.study_limits import study_hazard, study_limits
 
 MOTIONS = "motions"
 """Name of the records in the project."""
@@ -26,17 +25,18 @@ LAW = "elastomer"
 """Name of the law of the dampers in the project."""
 
 N_MOTIONS = 7
-"""As many as let the mean of their results count. Source: EN 1998-1:2004, 4.3.3.4.3(3)."""
+"""As many as let the mean of their results count. Source: EN 1998-1:2004, 4.3.3.4.3(3); NTC 2018, 7.3.5."""
 MAGNITUDES = {1: 6.5, 2: 5.5}
-"""Of simulated records, by the type of spectrum. Source: EN 1998-1:2004, 3.2.2.2(2)P, Note 1: type 2 to M_s = 5.5."""
+"""Of simulated records, by the type of spectrum. Source: EN 1998-1:2004, 3.2.2.2(2)P, Note 1: type 2 to M_s = 5.5.
+
+NTC 2018 has no types; its records are those of type 1.
+"""
 DISTANCES = (5e3, 10e3, 15e3, 20e3, 30e3, 40e3, 60e3, 80e3)
 """Of simulated records, m: that whose motion has the peak nearest to a_g S is taken, so that scaling stays modest."""
 _SURFACE_OF_E = "C"  # ground E has the velocity of C or D near the surface
 
 RESIDUAL_DRIFT = 0.005
 """Source: FEMA P-58-1 (2012), Appendix C: damage state 2, from which on a frame has to be straightened."""
-OBJECTIVES = ("h", "l")
-"""The basic safety objective. Source: FEMA 356, Table C1-1 (letters of thesis Table 5.4)."""
 
 
 @dataclass(frozen=True)
@@ -62,13 +62,17 @@ def study_blocks(row: FrameRow, names: StudyNames) -> str:
     """
     modes = "kind: rayleigh, ratio: 2 %, modes: [1, 2]" if row.top > 1 else "kind: modal, ratio: 2 %, modes: 1"
     folders = f", folders: [{yaml_text(names.folder)}]" if names.folder else ""
+    records = "\n".join(
+        f"  {name}: {{suite: {yaml_text(names.suite)}{folders}, match: {{{fitted}method: wavelets}}}}"
+        for name, (_, fitted) in _motions(row).items()
+    )
     return f"""\
 damping: {{{modes}}}
 
 integration: {{method: newmark, time_step: 0.01 s}}
 
 records:                                # fitted to the spectrum of the hazard
-  {MOTIONS}: {{suite: {yaml_text(names.suite)}{folders}, match: {{method: wavelets}}}}
+{records}
 
 dampers:
   laws:                                 # a tested elastomer; `edesign fit` makes the law of another one
@@ -87,19 +91,25 @@ def study_text(row: FrameRow, names: StudyNames, drift: float | None = None) -> 
 
     Args:
         row: one frame, or all of a direction, of a building with a hazard and masses.
-        drift: largest storey drift at the level of the design, a ratio; None: that of the building's own limit.
+        drift: largest storey drift at the level at which it is limited, a ratio; None: that of the building's own
+            limit.
 
     Raises:
-        InputError: the building has no hazard with levels or no masses, or no bay has room for dampers.
+        InputError: as `study_limits`, or no bay has room for dampers.
     """
-    building, hazard = row.building, _hazard(row)
-    level = building.design_level or next(iter(hazard.levels))
-    limit, why = (drift, "as asked for") if drift is not None else _drift(row)
-    bays = _bays(row)
-    levels = ", ".join(yaml_text(name) for name in hazard.levels)
-    letters = [letter for letter in OBJECTIVES if objective_level(letter, hazard) is not None]
-    last = f"objectives: [{', '.join(letters)}]                       # the basic safety objective of FEMA 356\n\n"
-    percent = f"{100.0 * limit:.6g} %"
+    building, limits = row.building, study_limits(row.building, drift)
+    level, bays = yaml_text(limits.level), _bays(row)
+    motions = _motions(row)
+    histories = "\n".join(
+        f"  - {{variants: all, levels: [{', '.join(levels)}], records: {name}, free_vibration: 20 s}}"
+        for name, (levels, _) in motions.items()
+    )
+    verified = list(dict.fromkeys((limits.drift_level, limits.level)))
+    proofs = [name for name in motions if name == MOTIONS or name.removeprefix(f"{MOTIONS}_") in verified]
+    proved = f"records: {_list(proofs)}, levels: {_list(verified)}"
+    statistic = "" if limits.statistic == "mean" else f"\n    statistic: {limits.statistic}"
+    objectives = f"objectives: [{', '.join(limits.objectives)}]"
+    last = f"{objectives}                       # the basic safety objective of FEMA 356\n\n"
     return f"""\
 # Motions: `edesign check` says which of them are recordings and which are simulated.
 
@@ -115,33 +125,42 @@ designs:
     bays: {bays}
     layers: 2
     damping: 10 %                       # of critical, in the first mode; more if the criteria ask for it
-    level: {yaml_text(level)}                          # its spectrum gives what the dampers reach
+    level: {level}                          # its spectrum gives what the dampers reach
     strain: spectrum                    # of the layers, at which their properties are taken: what they reach
     properties: {{table: thesis_appendix_a}}
-    drift: {percent}                        # with the strain limit it gives the thickness of the layers
+    drift: {100.0 * limits.reached:.6g} %                        # {limits.reached_by}
     strain_limit: 50 %
     brace: {{ratio: 7}}                   # braces of a storey over its stiffness
-    verify: {{records: {MOTIONS}, levels: {yaml_text(level)}, criteria: [drift, residual drift], free_vibration: 20 s}}
+    verify: {{{proved}, criteria: [drift, residual drift], free_vibration: 20 s}}
 
 variants:
   bare: {{dampers: none}}
   damped: {{design: dampers}}
 
 histories:
-  - {{variants: all, levels: [{levels}], records: {MOTIONS}, free_vibration: 20 s}}
+{histories}
 
 criteria:
-  - name: drift                         # {why}
+  - name: drift                         # {limits.source}
     measure: interstorey_drift
-    levels: {yaml_text(level)}
-    most: {percent}
+    levels: {yaml_text(limits.drift_level)}
+    most: {100.0 * limits.drift:.6g} %{statistic}
   - name: residual drift                # up to it a frame needs no straightening (FEMA P-58)
     measure: residual_interstorey_drift
-    levels: {yaml_text(level)}
-    most: {100.0 * RESIDUAL_DRIFT:g} %
+    levels: {level}
+    most: {100.0 * RESIDUAL_DRIFT:g} %{statistic}
 
-{last if letters else ""}outputs: {{histories: [floors], every: 2}}
+{last if limits.objectives else ""}outputs: {{histories: [floors], every: 2}}
 """
+
+
+def _motions(row: FrameRow) -> dict[str, tuple[list[str], str]]:
+    """Records of the project by name: the levels of their histories, and what says to which one they are fitted."""
+    hazard = study_hazard(row.building)
+    levels = {name: yaml_text(name) for name in hazard.levels}
+    if not hazard.own_shapes:
+        return {MOTIONS: (list(levels.values()), "")}
+    return {f"{MOTIONS}_{name}": ([level], f"level: {level}, ") for name, level in levels.items()}
 
 
 def suite_text(row: FrameRow) -> str:
@@ -151,11 +170,13 @@ def suite_text(row: FrameRow) -> str:
         row: one frame, or all of a direction, of a building with a hazard.
 
     Raises:
-        InputError: the building has no hazard with levels.
+        InputError: as `study_limits`.
     """
-    hazard = _hazard(row)
-    magnitude, v_s30 = MAGNITUDES[hazard.spectrum], _v_s30(hazard.ground)
-    peak = elastic_spectrum(hazard).zero_period
+    hazard = study_hazard(row.building)
+    kind, level = (hazard.spectrum, None) if isinstance(hazard, EC8Hazard) else (1, study_limits(row.building).level)
+    magnitude, v_s30 = MAGNITUDES[kind], _v_s30(hazard.ground)
+    peak = elastic_spectrum(hazard, level).zero_period
+    shape = f"spectrum of type {kind}" if level is None else f"spectrum of NTC 2018 under {level}"
     peaks = [float(np.max(np.abs(simulate(magnitude, far, v_s30, 1).acceleration))) for far in DISTANCES]
     distance = min(zip(DISTANCES, peaks, strict=True), key=lambda pair: abs(math.log(pair[1] / peak)))[0]
     text = f"""\
@@ -163,7 +184,7 @@ def suite_text(row: FrameRow) -> str:
 # of --recordings, or `file: motions/mine.csv` in place of all other keys. An entry without one is simulated.
 
 edesign_suite: 1
-title: Motions for ground {hazard.ground}, spectrum of type {hazard.spectrum}
+title: Motions for ground {hazard.ground}, {shape}
 records:
 """
     for seed in range(1, N_MOTIONS + 1):
@@ -176,26 +197,10 @@ records:
     return text
 
 
-def _hazard(row: FrameRow) -> EC8Hazard:
-    building = row.building
-    if building.hazard is None or not building.hazard.levels:
-        raise InputError(f"{building.where('hazard')}: a study needs a `hazard` with `levels` [E-KEY-02]")
-    if building.masses is None:
-        raise InputError(f"{building.where('masses')}: a study needs `masses` [E-KEY-02]")
-    if not isinstance(building.hazard, EC8Hazard):
-        raise InputError(
-            f"{building.where('hazard', 'code')}: hazard.code: the study takes the action of `ec8-2004`, not of "
-            f"`{building.hazard.code}` [E-HAZ-03]"
-        )
-    return building.hazard
-
-
-def _drift(row: FrameRow) -> tuple[float, str]:
-    """The largest drift at the level of the design, and where it comes from; without a limit that of the default."""
-    design = row.building.design
-    given = Drift() if design is None or design.drift.limit == "none" else design.drift
-    limit = drift_limit(given.limit)
-    return limit / given.nu, f"{100.0 * limit:g} % / nu = {given.nu:g}, EN 1998-1, 4.4.3.2"
+def _list(names: list[str]) -> str:
+    """One name, or a list of several."""
+    texts = [yaml_text(name) for name in names]
+    return texts[0] if len(texts) == 1 else f"[{', '.join(texts)}]"
 
 
 def _v_s30(ground: str) -> float:

@@ -18,7 +18,7 @@ from edesign.project.criteria.criteria import QuantityCriterion
 from edesign.project.dampers.verification import AnyVerify
 from edesign.project.reading.problems import listed
 from edesign.project.study.study import Study, warm_variant
-from edesign.study.plan.study_plan import make_study_plan, verification_records
+from edesign.study.plan.study_plan import make_study_plan, verifying_histories
 
 
 def check_criteria_inputs(study: Study, found: Mapping[str, Found]) -> None:
@@ -101,7 +101,10 @@ def too_few_motions(study: Study, name: str) -> list[str]:
         study: from `load_study`.
     """
     verify, rules = study.designs[name].verify, rules_in_force(study.base.hazard)
-    count = len(verification_records(study, name))
+    at_levels: dict[str | None, set[str]] = {}
+    for history in verifying_histories(study, name, 1):
+        at_levels.setdefault(history.level, set()).add(history.record)
+    count = min(map(len, at_levels.values()), default=0)
     if verify is None or not 1 < count < rules.number_for_mean:
         return []
     ranks = {str(rank): float(rank) for rank in range(count)}

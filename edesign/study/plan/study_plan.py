@@ -185,6 +185,8 @@ def verification_records(study: Study, name: str) -> tuple[str, ...]:
 def verifying_histories(study: Study, name: str, number: int) -> Iterator[HistoryAnalysis]:
     """Yield the histories of a round of a design's verification, or of a layout: its recordings at all its levels.
 
+    A record that is fitted to the spectrum of one level, which has a shape of its own, is run at this level alone.
+
     Args:
         number: of the round or layout, from 1.
     """
@@ -197,6 +199,8 @@ def verifying_histories(study: Study, name: str, number: int) -> Iterator[Histor
     along = getattr(study.designs[name], "along", None)
     for level in verify.levels or ("",):
         for reference in verification_records(study, name):
+            if study.base.fitted_level(record_of(reference)) not in (None, level):
+                continue
             if along == "y" and "angles" not in verify.model_fields_set:  # a single record acts along the design
                 pair = isinstance(study.base.records[record_of(reference)], InSpace)
                 shaken["angles"] = (0.0,) if pair else (0.5 * math.pi,)

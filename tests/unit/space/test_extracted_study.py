@@ -10,11 +10,13 @@ from typer.testing import CliRunner
 
 from edesign.cli.main import app
 from edesign.codes.ec8.ground import ground_type
+from edesign.errors import InputError
 from edesign.frame.project_file import load_study
 from edesign.ground_motion.sources import find_suite
 from edesign.ground_motion.suite import load_suite
 from edesign.project.dampers.designs import StrainEnergyDesign
 from edesign.project.study.study import Study
+from edesign.study.plan.study_plan import verifying_histories
 
 
 def extract(folder: Path, text: str, *more: str, frame: str = "X2") -> str:
@@ -42,6 +44,73 @@ def test_the_study_is_that_of_the_building(tmp_path: Path) -> None:
     assert isinstance(design, StrainEnergyDesign) and design.verify is not None
     assert design.bays.numbers(1, 2) == (1, 2) and design.verify.levels == ("DBE",)
     assert study.base.damping is not None and study.base.integration is not None
+
+
+_EC8 = SMALL[SMALL.index("hazard:") : SMALL.index("design:")]
+_STATES = {
+    "SLO": "a_g: 0.079 g, F_0: 2.4, T_C_star: 0.272 s",
+    "SLD": "a_g: 0.104 g, F_0: 2.332, T_C_star: 0.281 s",
+    "SLV": "a_g: 0.261 g, F_0: 2.364, T_C_star: 0.347 s",
+    "SLC": "a_g: 0.334 g, F_0: 2.4, T_C_star: 0.364 s",
+}
+
+
+def ntc(use: str = "II", without: str = "") -> str:
+    """The building by NTC 2018 on ground B."""
+    levels = ", ".join(f"{name}: {{limit_state: {name}, {of}}}" for name, of in _STATES.items() if name != without)
+    hazard = f"{{code: ntc-2018, nominal_life: 50 years, class_of_use: {use}, ground: B, levels: {{{levels}}}}}"
+    text = SMALL.replace(_EC8, f"hazard: {hazard}\n")
+    return text.replace("  ductility_class", "  code: {seismic: ntc-2018}\n  ductility_class")
+
+
+def test_the_study_of_a_building_by_ntc_2018(tmp_path: Path) -> None:
+    """Drifts are those of SLD, 0.75 % (7.3.6.1); each limit state has motions fitted to its own spectrum.
+
+    Layers are for the drift under SLV. S_De goes with a_g S_S F_0 T_C, T_C = 1.1 (T_C*)^0.8 on ground B:
+    SLV: S_S = 1.4 - 0.4 x 2.364 x 0.261 = 1.1532, T_C = 0.47164 s: 0.261 x 1.1532 x 2.364 x 0.47164 = 0.33558
+    SLD: S_S = 1.2 at most,                        T_C = 0.39844 s: 0.104 x 1.2 x 2.332 x 0.39844 = 0.11596
+    so that 0.75 % under SLD is 0.75 % x 2.8940 = 2.1705 % under SLV (1e-3: the figures above have five digits).
+    """
+    study = study_of(tmp_path, ntc())
+    drift, residual = study.criteria
+    assert (drift.levels, drift.most, drift.statistic) == (("SLD",), pytest.approx(0.0075), "ntc2018")
+    assert residual.levels == ("SLV",) and study.objectives == ()
+    design = study.designs["dampers"]
+    assert isinstance(design, StrainEnergyDesign) and design.verify is not None
+    assert design.level == "SLV" and design.drift == pytest.approx(0.021705, rel=1e-3)
+    assert {of.levels: of.records for of in study.histories} == {(name,): (f"motions_{name}",) for name in _STATES}
+    assert {name: study.base.fitted_level(f"motions_{name}") for name in _STATES} == {n: n for n in _STATES}
+    proofs = [(spec.level, spec.record.partition("/")[0]) for spec in verifying_histories(study, "dampers", 1)]
+    assert sorted(proofs) == [("SLD", "motions_SLD")] * 7 + [("SLV", "motions_SLV")] * 7
+
+
+def test_drifts_of_strategic_buildings_are_those_of_slo(tmp_path: Path) -> None:
+    """Two thirds of 0.75 % under SLO (7.3.6.1)."""
+    drift = study_of(tmp_path, ntc("IV")).criteria[0]
+    assert drift.levels == ("SLO",) and drift.most == pytest.approx(0.005)
+
+
+@pytest.mark.parametrize("state", ["SLD", "SLV"])
+def test_a_limit_state_that_is_missing(tmp_path: Path, state: str) -> None:
+    text = ntc(without=state)
+    output = extract(tmp_path, text[: text.index("design:")])
+    assert f"a study needs a level with `limit_state: {state}`" in output and "[E-HAZ-06]" in output
+
+
+@pytest.mark.parametrize(
+    ("new", "said"),
+    [
+        ("records: motions_SLD, levels: [SLD, SLV]", "no record here is fitted to the spectrum of `SLV`, only to that"),
+        ("records: [motions_SLD, motions_SLV], levels: SLV", "`motions_SLD` is fitted to the spectrum of `SLD`"),
+    ],
+)
+def test_records_of_a_verification_are_at_their_own_level(tmp_path: Path, new: str, said: str) -> None:
+    study_of(tmp_path, ntc())
+    path = tmp_path / "study.yaml"
+    old = "records: [motions_SLD, motions_SLV], levels: [SLD, SLV]"
+    path.write_text(path.read_text(encoding="utf-8").replace(old, new), encoding="utf-8")
+    with pytest.raises(InputError, match=said):
+        load_study(path)
 
 
 @pytest.mark.parametrize("storey", [1, 2])
