@@ -72,7 +72,7 @@ from edesign.space.structure.composite import stiffness_factor
 from edesign.space.structure.design_block import MOMENT_FRAME, Regular, design_of, rules_of, system_of
 from edesign.space.structure.frame import AXES, Axis, Member, SpaceFrame
 from edesign.space.structure.geometry import space_frame
-from edesign.space.structure.load_cases import SELF_WEIGHT, self_weight
+from edesign.space.structure.load_cases import ALWAYS, NON_STRUCTURAL, SELF_WEIGHT, self_weight
 from edesign.space.structure.masses import node_masses
 from edesign.space.structure.model import member_properties, space_model
 from edesign.space.structure.steel_by_thickness import steel_by_thickness, with_steel_by_thickness
@@ -230,8 +230,9 @@ class ElasticAnalysis:
         directions = "srss" if self._design.directions == "srss" else "30 %"
         asked, factors = self._design.fundamental, action_factors_of(self._design, self._national)
         partly = relieving_cases(joined), patterns_of(joined, building.loads.pattern)
+        apart = [name for name in cases if name == NON_STRUCTURAL]
         with telling_place(building, "loads"):
-            self.fundamental = fundamental(cases, psi, factors, asked.expression, asked.favourable, *partly)
+            self.fundamental = fundamental(cases, psi, factors, asked.expression, asked.favourable, *partly, apart)
         self.fundamental += stated_combinations(self._design, joined)
         self.seismic = seismic(cases, psi, directions, relieving=partly[0])
         self._characteristic = characteristic(cases, psi, False, *partly)
@@ -241,7 +242,7 @@ class ElasticAnalysis:
         )
         wanted = building.loads.live_load_reduction
         self._reduction = LiveLoadReduction(building, self.frame, joined, psi) if wanted else None
-        self._deflections = DeflectionAnalysis(self.frame, joined, "G", self._characteristic)
+        self._deflections = DeflectionAnalysis(self.frame, joined, ALWAYS, self._characteristic)
         self._groups: dict[str, list[int]] = {}
         for number, member in enumerate(self.frame.members):
             self._groups.setdefault(member.group, []).append(number)

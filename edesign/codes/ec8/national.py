@@ -60,12 +60,15 @@ class ActionFactors:
         G_sup, G_inf: gamma_G of unfavourable and of favourable permanent actions.
         Q: gamma_Q of unfavourable variable actions; favourable ones do not count.
         xi: reduces gamma_G,sup in Eq. 6.10b.
+        G2_sup, G2_inf: of permanent actions that are not structural, where the code has factors of their own.
     """
 
     G_sup: float = 1.35
     G_inf: float = 1.0
     Q: float = 1.5
     xi: float = 0.85
+    G2_sup: float | None = None
+    G2_inf: float | None = None
 
 
 @dataclass(frozen=True)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import product
 from typing import Literal
 
 from edesign.codes.ec8.directions import DirectionRule, direction_factors
@@ -54,6 +55,7 @@ def fundamental(
     favourable: bool = False,
     relieving: Collection[str] = (),
     patterns: Sequence[Collection[str]] = (),
+    non_structural: Collection[str] = (),
 ) -> tuple[Combination, ...]:
     """Return the combinations for persistent and transient design situations.
 
@@ -69,29 +71,37 @@ def fundamental(
         relieving: cases that may relieve what others load, as wind: each also acts not at all, and with gamma_G,inf
             without the other variable actions.
         patterns: cases of each pattern of imposed loads, which also act without the others where they lead.
+        non_structural: permanent cases with the factors of such loads; where loads may be favourable, each of both
+            kinds of permanent loads may be so without the other.
 
     Raises:
         InputError: a category or the expression is not known, no case is permanent, or there are too many combinations.
 
     Source: EN 1990:2002+A1, 6.4.3.2(3), Eqs. 6.10, 6.10a, 6.10b; Table A1.2(B) with Note 3 (all permanent actions of
-        one origin take one factor).
+        one origin take one factor). Loads that are not structural: NTC 2018, Table 2.6.I.
     """
     if expression not in ("6.10", _PAIR):
         raise unknown("expression of EN 1990", expression, ("6.10", _PAIR))
     permanent, variable = split_cases(cases, psi)
     sets = list(sets_of_actions(variable, favourable, relieving, patterns))
+    G2_sup = factors.G_sup if factors.G2_sup is None else factors.G2_sup
+    G2_inf = factors.G_inf if factors.G2_inf is None else factors.G2_inf
+    of_both = list(product((factors.G_sup, factors.G_inf), (G2_sup, G2_inf) if non_structural else (G2_sup,)))
+
+    def always(G: float, G2: float) -> dict[str, float]:
+        return {case: G2 if case in non_structural else G for case in permanent}
 
     def rows() -> Iterator[Combination]:
         for actions in sets:
             in_part = _in_part(actions, patterns)
-            for G in (factors.G_sup, factors.G_inf) if favourable else (factors.G_sup,):
+            for G, G2 in of_both if favourable else of_both[:1]:
                 if expression == _PAIR and not in_part:
-                    static = dict.fromkeys(permanent, G)
+                    static = always(G, G2)
                     static |= {case: factors.Q * psi[cases[case]].psi_0 for action in actions for case in action}
                     yield _combination("fundamental", "6.10a", static)
                 reduced = G * factors.xi if expression == _PAIR and G == factors.G_sup else G
                 for leading in in_part or actions or ((),):
-                    static = dict.fromkeys(permanent, reduced)
+                    static = always(reduced, G2)
                     for action in actions:
                         for case in action:
                             static[case] = factors.Q * (1.0 if action == leading else psi[cases[case]].psi_0)
@@ -101,7 +111,7 @@ def fundamental(
     def relieved() -> Iterator[Combination]:
         for actions in relieving_alone(sets, relieving):
             for leading in actions:
-                static = dict.fromkeys(permanent, factors.G_inf)
+                static = always(factors.G_inf, G2_inf)
                 for action in actions:
                     for case in action:
                         static[case] = factors.Q * (1.0 if action == leading else psi[cases[case]].psi_0)

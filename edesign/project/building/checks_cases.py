@@ -12,7 +12,7 @@ from edesign.project.building.names import node_name
 from edesign.project.building.own_cases import NAMED_CATEGORIES, LoadCaseOfFile, cases_of
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
 
-_TAKEN = re.compile(r"(G|Q|Q_.*|[ES]_.*|P_Delta.*|self_weight|alpha)")
+_TAKEN = re.compile(r"(G2?|Q|Q_.*|[ES]_.*|P_Delta.*|self_weight|alpha)")
 
 
 def check_cases(building: Building, problems: Problems) -> None:
@@ -97,8 +97,13 @@ def _stated(building: Building, problems: Problems) -> None:
     if building.design is None:
         return
     live = {f"Q_{load.category}" for load in building.loads.items if load.category is not None}
-    names = ["G", *sorted(live), *(["Q"] if len(live) == 1 else []), *(n for n, _, _ in cases_of(building.loads.cases))]
+    more = ["G2"] if any(load.G2 for load in building.loads.items) else []
+    own = [name for name, _, _ in cases_of(building.loads.cases)]
+    names = ["G", *more, *sorted(live), *(["Q"] if len(live) == 1 else []), *own]
     for i, row in enumerate(building.design.fundamental.stated):
+        if more and "G" in row and "G2" not in row:
+            message = "`G2` is missing beside `G`; give its factor, 0 where it does not act [E-KEY-02]"
+            problems.at_item(("design", "fundamental", "stated"), i, message)
         for name in row:
             if name not in names:
                 keys = ("design", "fundamental", "stated", i, name)

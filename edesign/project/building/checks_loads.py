@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from edesign.project.actions.hazard import NtcHazard
 from edesign.project.actions.loads import PartialLoad
 from edesign.project.building.building import Building
 from edesign.project.building.checks_cases import check_cases
@@ -46,6 +47,7 @@ def check_loads(building: Building, problems: Problems, profiles: Catalogue | No
     for name, case in loads.cases.items():
         for i, part in enumerate(case.areas):
             _placed_area(building, problems, check, ("loads", "cases", name, "areas", i), part)
+    _non_structural(building, problems)
     check_cases(building, problems)
     _categories(building, problems, ("loads", "gravity"), loads.gravity)
     _masses(building, problems, check)
@@ -59,6 +61,20 @@ def _variable(problems: Problems, keys: Keys, Q: float, category: str | None, at
     if Q != 0.0 and category is None:
         message = "this key is missing; a variable load has the category of its use: `A` to `H`, or `snow` [E-KEY-02]"
         problems.under(keys, "category", message)
+
+
+def _non_structural(building: Building, problems: Problems) -> None:
+    """NTC 2018 alone has factors of their own for permanent loads that are not structural."""
+    if isinstance(building.hazard, NtcHazard):
+        return
+    for part in ("areas", "perimeter", "beams", "nodes"):
+        for i, load in enumerate(getattr(building.loads, part)):
+            if load.G2:
+                message = (
+                    "`G2`, permanent loads that are not structural, are of NTC 2018 (Table 2.6.I); the file has no "
+                    "`hazard: {code: ntc-2018}`, so give them as `G` [E-KEY-03]"
+                )
+                problems.at_key(("loads", part, i, "G2"), message)
 
 
 def _points(building: Building, problems: Problems, keys: Keys, load: BeamLoad) -> None:

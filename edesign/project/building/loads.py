@@ -32,6 +32,7 @@ class Areas(Model):
         floors: floors that have the load.
         bays: bays of the plan that have the load; `all` takes those that a floor covers.
         G: permanent load, positive downwards.
+        G2: permanent load that is not structural, of buildings by NTC 2018 (Table 2.6.I), positive downwards.
         Q: variable load, positive downwards.
         category: category of the use (EN 1991-1-1, 6.3), needed where there is Q.
         spans: the way that the floor spans.
@@ -43,6 +44,7 @@ class Areas(Model):
     floors: Numbers = ALL_NUMBERS
     bays: Bays = ALL_BAYS
     G: ForcePerArea = 0.0
+    G2: ForcePerArea = 0.0
     Q: ForcePerArea = 0.0
     category: Category | None = None
     spans: Span
@@ -57,12 +59,14 @@ class PerimeterLoad(Model):
     Attributes:
         floors: floors whose edges have the load.
         G: permanent load, positive downwards.
+        G2: permanent load that is not structural, of buildings by NTC 2018 (Table 2.6.I), positive downwards.
         Q: variable load, positive downwards.
         category: category of the use (EN 1991-1-1, 6.3), needed where there is Q.
     """
 
     floors: Numbers = ALL_NUMBERS
     G: LineLoad = 0.0
+    G2: LineLoad = 0.0
     Q: LineLoad = 0.0
     category: Category | None = None
 
@@ -72,6 +76,7 @@ class BeamLoad(BeamPlaces):
 
     Attributes:
         G: permanent load on the whole beam, positive downwards.
+        G2: permanent load on the whole beam that is not structural, of buildings by NTC 2018 (Table 2.6.I).
         Q: variable load on the whole beam, positive downwards.
         points: forces at places along each beam, from its end with the smaller coordinate.
         partial: loads on a part of each beam, from its end with the smaller coordinate.
@@ -79,6 +84,7 @@ class BeamLoad(BeamPlaces):
     """
 
     G: LineLoad = 0.0
+    G2: LineLoad = 0.0
     Q: LineLoad = 0.0
     points: tuple[PointLoad, ...] = ()
     partial: tuple[PartialLoad, ...] = ()
@@ -92,6 +98,7 @@ class NodeLoad(Model):
         at: column lines of the nodes.
         floors: floors of the nodes.
         G: permanent force, positive downwards.
+        G2: permanent force that is not structural, of buildings by NTC 2018 (Table 2.6.I).
         Q: variable force, positive downwards.
         category: category of the use (EN 1991-1-1, 6.3), needed where there is Q.
     """
@@ -99,6 +106,7 @@ class NodeLoad(Model):
     at: ColumnLines
     floors: Numbers
     G: Force = 0.0
+    G2: Force = 0.0
     Q: Force = 0.0
     category: Category | None = None
 
@@ -107,7 +115,7 @@ class Combination(Model):
     """Factors of G and Q in the masses, or in the gravity loads of analyses.
 
     Attributes:
-        G: factor of permanent loads and of the self weight.
+        G: factor of permanent loads, structural or not, and of the self weight.
         Q: psi_2, one for all or by category; without the key that of the category in the country (EN 1990, Table A1.1).
     """
 

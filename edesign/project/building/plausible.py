@@ -243,7 +243,8 @@ def _values(building: Building) -> Iterator[tuple[Keys, float, Range]]:
     ):
         for i, load in enumerate(getattr(building.loads, part)):
             stored = load.category in ("E", "snow")  # what is stored and how deep it snows has no common bound
-            for key, value, bounds in (("G", load.G, permanent), ("Q", load.Q, permanent if stored else variable)):
+            of_Q = permanent if stored else variable
+            for key, value, bounds in (("G", load.G, permanent), ("G2", load.G2, permanent), ("Q", load.Q, of_Q)):
                 if value:
                     yield ("loads", part, i, key), abs(value), bounds
     yield from _points(building)

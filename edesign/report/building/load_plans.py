@@ -112,7 +112,7 @@ def _areas(sheet: Sheet, building: Building, grid: Grid, floor: int, panels: fro
     marks: dict[str, str] = {}
     unlabelled: list[str] = []
     for (i, j), loads in sorted(found.items()):
-        text = " + ".join(_case_values(load.G, load.Q, load.category, 1e3) for load in loads)
+        text = " + ".join(_case_values(load.G, load.Q, load.category, 1e3, load.G2) for load in loads)
         x0, x1, y0, y1 = grid.xs[i - 1], grid.xs[i], grid.ys[j - 1], grid.ys[j]
         x, y = grid.at(0.5 * (x0 + x1), 0.5 * (y0 + y1))
         wide, high = grid.across * (x1 - x0), grid.up * (y1 - y0)
@@ -128,8 +128,8 @@ def _areas(sheet: Sheet, building: Building, grid: Grid, floor: int, panels: fro
     yield from unlabelled
 
 
-def _case_values(G: float, Q: float, category: str | None, unit: float) -> str:
-    parts = [f"G {short(G / unit)}"] if G else []
+def _case_values(G: float, Q: float, category: str | None, unit: float, G2: float = 0.0) -> str:
+    parts = [f"{name} {short(value / unit)}" for name, value in (("G", G), ("G2", G2)) if value]
     parts += [f"Q_{category} {short(Q / unit)}"] if Q else []
     return ", ".join(parts) or "0"
 
@@ -159,12 +159,12 @@ def _others(building: Building, floor: int) -> Iterator[Entry]:
     for load in building.loads.items:
         if isinstance(load, Areas) or floor not in load.floors.numbers(1, last):
             continue
-        values = _case_values(load.G, load.Q, load.category, 1e3)
+        values = _case_values(load.G, load.Q, load.category, 1e3, load.G2)
         if isinstance(load, PerimeterLoad):
             yield Entry(f"beams at the edge: {values} kN/m")
         elif isinstance(load, BeamLoad):
             places = f"beams along {load.along}, frames {load.frames}, bays {load.bays}"
-            if load.G or load.Q or not (load.points or load.partial):
+            if load.G or load.G2 or load.Q or not (load.points or load.partial):
                 yield Entry(f"{places}: {values} kN/m")
             for point in load.points:
                 forces = _case_values(point.G, point.Q, load.category, 1e3)

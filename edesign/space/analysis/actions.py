@@ -13,19 +13,23 @@ from edesign.codes.en1990.combinations import Combination, stated
 from edesign.project.building.building import Building
 from edesign.project.building.design import Design
 from edesign.space.structure.frame import LoadCase, SpaceFrame
-from edesign.space.structure.load_cases import PATTERNED
+from edesign.space.structure.load_cases import NON_STRUCTURAL, PATTERNED
 from edesign.space.structure.masses import psi_2
 
 
 def with_joined_cases(frame: SpaceFrame) -> SpaceFrame:
-    """Return the frame with its permanent cases as one, `G`, and a single category of use as `Q`; own cases last."""
-    permanent = [case for case in frame.cases.values() if case.category == PERMANENT]
+    """Return the frame with its permanent cases as one, `G`, and a single category of use as `Q`; own cases last.
+
+    Permanent loads that are not structural stay apart, as `G2`.
+    """
+    structural = [case for case in frame.cases.values() if case.category == PERMANENT and case.name != NON_STRUCTURAL]
+    apart = [case for case in frame.cases.values() if case.name == NON_STRUCTURAL]
     variable = [case for case in frame.cases.values() if case.category != PERMANENT and not case.own]
     if len({case.category for case in variable}) == 1:
         single = f"Q_{variable[0].category}"
         variable = [replace(case, name="Q" + case.name.removeprefix(single)) for case in variable]
     own = [case for case in frame.cases.values() if case.own]
-    cases = {"G": _sum("G", permanent)} | {case.name: case for case in (*variable, *own)}
+    cases = {"G": _sum("G", structural)} | {case.name: case for case in (*apart, *variable, *own)}
     return frame.with_sections(frame.members, cases, frame.node_mass)
 
 

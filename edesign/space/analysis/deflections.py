@@ -50,18 +50,22 @@ class DeflectionAnalysis:
 
     Args:
         cases: load cases by name, permanent ones first; their uniform loads may change with the sections.
-        permanent: name of the permanent case.
+        permanent: names of the permanent cases.
         combinations: characteristic ones.
     """
 
     def __init__(
-        self, frame: SpaceFrame, cases: Mapping[str, LoadCase], permanent: str, combinations: Sequence[Combination]
+        self,
+        frame: SpaceFrame,
+        cases: Mapping[str, LoadCase],
+        permanent: Sequence[str],
+        combinations: Sequence[Combination],
     ) -> None:
         self.members = np.array([k for k, member in enumerate(frame.members) if member.kind == "beam"], dtype=int)
         self._length = frame.length[self.members]
         self._cases = tuple(cases)
         self._factors = np.array([[row.static.get(case, 0.0) for case in cases] for row in combinations])
-        self._variable = self._factors * (np.array(self._cases) != permanent)
+        self._variable = self._factors * ~np.isin(self._cases, permanent)
         place = np.full(len(frame.members), -1)
         place[self.members] = np.arange(self.members.size)
         shape = len(cases), self.members.size, PLACES.size

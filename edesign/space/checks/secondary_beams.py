@@ -11,6 +11,7 @@ from edesign.frame.sections.own_section import section_of
 from edesign.frame.sections.section_class import section_class
 from edesign.project.building.building import Building
 from edesign.space.structure.design_block import design_of
+from edesign.space.structure.load_cases import NON_STRUCTURAL, PERMANENT
 from edesign.space.structure.secondary_beams import SecondaryBeam, secondary_beams
 from edesign.space.structure.steel_by_thickness import steel_by_thickness
 
@@ -61,7 +62,7 @@ def secondary_criteria(
 
 def _load(beam: SecondaryBeam, static: Mapping[str, float], permanent: float = 1.0) -> float:
     """The load of a combination on a beam, N/m; of a pattern the half that acts."""
-    total = permanent * static.get("G", 0.0) * beam.G
+    total = permanent * (static.get(PERMANENT, 0.0) * beam.G + static.get(NON_STRUCTURAL, 0.0) * beam.G2)
     for category, Q in beam.Q.items():
         names = [f"{stem}{half}" for stem in ("Q", f"Q_{category}") for half in ("", "1", "2")]
         total += max(static.get(name, 0.0) for name in names) * Q

@@ -23,7 +23,7 @@ from edesign.space.extract.selections import runs, selection, value
 from edesign.space.extract.study_text import StudyNames, study_blocks
 from edesign.space.structure.area_loads import BeamShare
 from edesign.space.structure.design_block import design_of
-from edesign.space.structure.load_cases import PERMANENT, SELF_WEIGHT
+from edesign.space.structure.load_cases import ALWAYS
 from edesign.space.structure.masses import gravity_factor
 
 _WEAK = "_weak"
@@ -289,7 +289,7 @@ class _ProjectText:
 
     def loads(self) -> list[str]:
         """Line loads and nodal loads; Q of several categories with different psi_2 is multiplied with them."""
-        G = {name: 1.0 for name in (PERMANENT, SELF_WEIGHT) if name in self.row.space.cases}
+        G = {name: 1.0 for name in ALWAYS if name in self.row.space.cases}
         Q, factor, why = self._live()
         beams_G = self.row.merged(lambda frame: frame.beam_load(G))
         beams_Q = self.row.merged(lambda frame: frame.beam_load(Q))

@@ -19,7 +19,9 @@ from edesign.space.structure.area_loads import BeamShare, bay_shares, part_share
 from edesign.space.structure.frame import LoadCase, SpaceFrame
 from edesign.space.structure.secondary_beams import own_weight
 
-PERMANENT, SELF_WEIGHT = "G", "self_weight"
+PERMANENT, NON_STRUCTURAL, SELF_WEIGHT = "G", "G2", "self_weight"
+ALWAYS = (PERMANENT, NON_STRUCTURAL, SELF_WEIGHT)
+"""Permanent cases."""
 PATTERNED = tuple("ABCDEFG")
 """Categories of imposed loads that may act on parts of floors (EN 1991-1-1, 6.2.1(1))."""
 Load = Areas | PerimeterLoad | BeamLoad | NodeLoad
@@ -45,7 +47,7 @@ class LoadSum:
 
 
 def load_cases(building: Building, frame: SpaceFrame, pattern: bool = False) -> dict[str, LoadCase]:
-    """Return the load cases of a building by name: `G`, `self_weight`, and `Q_B` and so on.
+    """Return the load cases of a building by name: `G`, `G2`, `self_weight`, and `Q_B` and so on.
 
     Args:
         building: from `load_building`.
@@ -58,6 +60,8 @@ def load_cases(building: Building, frame: SpaceFrame, pattern: bool = False) -> 
     for load in building.loads.items:
         if load.G != 0.0:
             _add(building, sums[PERMANENT], load, load.G)
+        if load.G2 != 0.0:
+            _add(building, sums.setdefault(NON_STRUCTURAL, LoadSum("permanent")), load, load.G2)
         if isinstance(load, Areas) and (weight := own_weight(building, load)):
             _add_secondary(building, sums[PERMANENT], load, weight)
         if pattern and load.Q != 0.0 and isinstance(load, Areas) and load.category in PATTERNED:
@@ -73,7 +77,7 @@ def load_cases(building: Building, frame: SpaceFrame, pattern: bool = False) -> 
     cases = {name: case_of(name, found, frame) for name, found in sums.items()}
     if building.loads.self_weight:
         cases[SELF_WEIGHT] = self_weight(building, frame)
-    return {name: cases[name] for name in sorted(cases, key=lambda name: (name not in (PERMANENT, SELF_WEIGHT), name))}
+    return {name: cases[name] for name in sorted(cases, key=lambda name: (name not in ALWAYS, name))}
 
 
 def _live_case(category: str) -> str:

@@ -23,6 +23,7 @@ class SecondaryBeam:
         length: m.
         strip: distance to the next, m.
         G: permanent load with its own weight where that counts, N/m downwards.
+        G2: permanent load that is not structural, N/m downwards.
         Q: variable load by category, N/m downwards.
         floors: where they are.
         number: of all of them.
@@ -33,6 +34,7 @@ class SecondaryBeam:
     length: float
     strip: float
     G: float
+    G2: float
     Q: Mapping[str, float]
     floors: tuple[int, ...]
     number: int
@@ -76,10 +78,11 @@ def secondary_beams(building: Building) -> list[SecondaryBeam]:
                     if one.category is not None and one.Q:
                         Q[one.category] = Q.get(one.category, 0.0) + one.Q * strip
                 G = sum(one.G for one in alike) * strip + own_weight(building, of)
-                key = (of.secondary_section, of.secondary_material, length, strip, G, tuple(sorted(Q.items())))
+                G2 = sum(one.G2 for one in alike) * strip
+                key = (of.secondary_section, of.secondary_material, length, strip, G, G2, tuple(sorted(Q.items())))
                 known = found.get(key)
                 floors = dict.fromkeys((*(known.floors if known else ()), floor))
                 number = (known.number if known else 0) + of.secondary_beams
                 names = of.secondary_section, of.secondary_material
-                found[key] = SecondaryBeam(*names, length, strip, G, Q, tuple(floors), number)
+                found[key] = SecondaryBeam(*names, length, strip, G, G2, Q, tuple(floors), number)
     return list(found.values())
