@@ -28,6 +28,7 @@ from edesign.project.dampers.isolation import (
 from edesign.project.frame.frame import Frame
 from edesign.project.frame.supports import SupportSprings, VerticalSpring
 from edesign.project.notation import names
+from edesign.project.notation.grid import Grid
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.project.project import Project
 
@@ -99,7 +100,7 @@ def isolated_support(frame: Frame, isolation: Isolation, line: str) -> SupportSp
         isolation: base and isolators.
         line: name of the column line.
     """
-    isolator = isolator_under(isolation, line)
+    isolator = isolator_under(isolation, line, frame)
     rotation = isolation.base.rotation or "free"  # with beams there is none: checked
     if isolator is None:  # it slides freely: checked
         return SupportSprings(horizontal="free", vertical="fixed", rotation=rotation)
@@ -134,14 +135,15 @@ def add_base_beams(project: Project, model: Model, nodes: Mapping[str, int]) -> 
         model.beam_column(name, nodes[left], nodes[right], section, geometry="linear")
 
 
-def isolator_under(isolation: AnyIsolation, line: str) -> AnyIsolator | None:
+def isolator_under(isolation: AnyIsolation, line: str, grid: Grid) -> AnyIsolator | None:
     """Return the isolator under a line; None if there is none.
 
     Args:
         isolation: base and isolators.
         line: name of the column line.
+        grid: of the structure.
     """
-    return next((item for item in isolation.isolators if line in item.under((line,))), None)
+    return next((item for item in isolation.isolators if line in item.under((line,), grid)), None)
 
 
 def goes_with_weight(isolator: AnyIsolator, law: DeviceLaw) -> bool:
@@ -187,7 +189,7 @@ def add_isolation(
             _check_size(item, law, where)
             _check_directions(item, law, where)
             size = DeviceSize(item.number, item.layers, item.layer_area, item.layer_thickness, item.scale or 1.0)
-            for line in item.under(grid.lines):
+            for line in item.under(grid.lines, grid):
                 column_base = grid.node_name(line, 0)
                 if column_base not in nodes:
                     continue

@@ -16,7 +16,7 @@ from edesign.space.free_motion import free_motion
 
 _OF_THE_FILE = ("ED_E_MECHANISM", "ED_E_DISCONNECTED", "ED_E_NOT_FINITE", "ED_E_ARGUMENT", "ED_E_SINGULAR")
 """What the core refuses because of what the file says; memory, for instance, is another matter."""
-_NAME = re.compile(r"[A-Z][A-Za-z0-9_]*(?:\.[0-9]+)?")
+_NAME = re.compile(r"[A-Z][A-Za-z0-9_']*(?:\.[0-9]+)?")
 
 
 @contextmanager

@@ -5,11 +5,13 @@ from __future__ import annotations
 import re
 
 from edesign.project.building.building import Building
+from edesign.project.notation.axes import LETTERED, NUMBERED
 from edesign.project.reading.problems import listed
 from edesign.space.structure.model import MASTER
 
-_FREE = re.compile(rf"((?:[A-Z]+\d+\.|{re.escape(MASTER)}(?:\d+\.)?|B[XY]_\w+\.?)\d*)\.(ux|uy|uz|rx|ry|rz)\b")
-_OF_A_FLOOR = re.compile(r"\b(ux|uy|rz) of the diaphragm of [A-Z]+\d+\.(\d+)")
+_LINE = LETTERED + NUMBERED
+_FREE = re.compile(rf"((?:{_LINE}\.|{re.escape(MASTER)}(?:\d+\.)?|B[XY]_[\w']+\.?)\d*)\.(ux|uy|uz|rx|ry|rz)\b")
+_OF_A_FLOOR = re.compile(rf"\b(ux|uy|rz) of the diaphragm of {_LINE}\.(\d+)")
 _ALONG = {"ux": "slides along x", "uy": "slides along y", "uz": "moves up and down"}
 
 

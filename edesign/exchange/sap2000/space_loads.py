@@ -10,6 +10,7 @@ from edesign.exchange.sap2000.read_loads import GENTLE
 from edesign.exchange.sap2000.taken_loads import TakenLoads
 from edesign.exchange.sap2000.written import number_text, quantity
 from edesign.project.building.names import BeamPlace, ColumnLine
+from edesign.project.notation.axes import PLAIN_AXES
 
 _G = ""
 """The category of permanent loads."""
@@ -88,7 +89,7 @@ class SpaceLoads:
             if floor == 0:
                 self._at_base += abs(down)
             else:
-                self._nodes[ColumnLine(i, j), floor][kind] += down
+                self._nodes[ColumnLine(i, j, PLAIN_AXES), floor][kind] += down
 
     def _distributed(self, load: FrameLoad) -> None:
         placed, kind = self._placed[load.frame], self._kinds[load.pattern]
@@ -172,5 +173,5 @@ def beam_place(start: tuple[int, int, int], end: tuple[int, int, int]) -> BeamPl
     """Return the place of a beam between two points of the grid."""
     low, high = min(start, end), max(start, end)
     if low[0] != high[0]:
-        return BeamPlace("x", low[1], low[0] + 1, low[2])
-    return BeamPlace("y", low[0], low[1] + 1, low[2])
+        return BeamPlace("x", low[1], low[0] + 1, low[2], PLAIN_AXES)
+    return BeamPlace("y", low[0], low[1] + 1, low[2], PLAIN_AXES)

@@ -10,6 +10,7 @@ from edesign.exchange.sap2000.read_loads import nodal_masses
 from edesign.exchange.sap2000.taken_loads import TakenLoads, mass_factors
 from edesign.exchange.sap2000.written import number_text, quantity
 from edesign.project.building.names import ColumnLine
+from edesign.project.notation.axes import PLAIN_AXES
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.space.extract.selections import selection
 
@@ -52,7 +53,7 @@ def masses_text(model: Sap2000Model, grid: Grid, taken: TakenLoads, left_out: li
     by_mass: dict[tuple[str, int], list[ColumnLine]] = defaultdict(list)
     for joint, mass in above.items():
         i, j, floor = grid.points[joint]
-        by_mass[quantity(mass, "t"), floor].append(ColumnLine(i, j))
+        by_mass[quantity(mass, "t"), floor].append(ColumnLine(i, j, PLAIN_AXES))
     merged: dict[tuple[str, tuple[ColumnLine, ...]], list[int]] = defaultdict(list)
     for (text, floor), lines in by_mass.items():
         merged[text, tuple(sorted(lines))].append(floor)

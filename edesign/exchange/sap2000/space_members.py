@@ -11,6 +11,7 @@ from edesign.exchange.sap2000.model import Sap2000Model, Section
 from edesign.exchange.sap2000.space_loads import beam_place
 from edesign.exchange.sap2000.written import free_identifier, quantity
 from edesign.project.building.names import BeamPlace, BracePlace, ColumnLine, Direction
+from edesign.project.notation.axes import PLAIN_AXES
 
 _STRAIGHT = 1e-6  # sine of an angle that is none
 
@@ -93,7 +94,7 @@ class SpaceMembers:
             raise self.refuse(
                 placed, f"it is turned by {placed.frame.angle:g} degrees, neither along X nor along Y [E-SAP-22]"
             )
-        place = ColumnLine(*placed.start[:2]), placed.end[2]
+        place = ColumnLine(*placed.start[:2], PLAIN_AXES), placed.end[2]
         if place in self.columns:
             raise self.refuse(placed, "another frame stands in its place [E-SAP-19]")
         strong: Direction = "x" if abs(two[0]) > abs(two[1]) else "y"
@@ -239,5 +240,5 @@ def _brace_place(placed: Placed) -> BracePlace:
     low: Point = min(placed.start[:2], placed.end[:2]) + (0,)
     storey = placed.end[2]
     if placed.along == "x":
-        return BracePlace("x", low[1], low[0] + 1, storey)
-    return BracePlace("y", low[0], low[1] + 1, storey)
+        return BracePlace("x", low[1], low[0] + 1, storey, PLAIN_AXES)
+    return BracePlace("y", low[0], low[1] + 1, storey, PLAIN_AXES)

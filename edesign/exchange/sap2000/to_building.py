@@ -18,6 +18,7 @@ from edesign.exchange.sap2000.taken_loads import taken_loads
 from edesign.exchange.sap2000.written import equal_or_list, number_text, quantity
 from edesign.project.building.layout import edges
 from edesign.project.building.names import BeamPlace, ColumnLine, Direction, line_label
+from edesign.project.notation.axes import PLAIN_AXES
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.project.reading.yaml_edit import yaml_text
 from edesign.space.extract.selections import runs, selection
@@ -96,7 +97,7 @@ class _BuildingText:
                         "joint", joint, "it is supported above the base, which buildings do not have [E-SAP-24]"
                     )
                 continue
-            found[ColumnLine(*point[:2])] = _support(restraints, springs)
+            found[ColumnLine(*point[:2], PLAIN_AXES)] = _support(restraints, springs)
         if joint := next((j for j in self.grid.middles if any(self.model.restraints.get(j, ()))), ""):
             raise self.model.error(
                 "joint", joint, "it is supported above the base, which buildings do not have [E-SAP-24]"
@@ -145,17 +146,22 @@ class _BuildingText:
                 by_frame[at, levels, value].append(frame)
         text = []
         for (at, levels, value), of in by_frame.items():
-            names = selection(of, list(range(frames)), lambda n: line_label(along, n))  # type: ignore[arg-type]
+            names = selection(of, list(range(frames)), lambda n: line_label(along, n, PLAIN_AXES))  # type: ignore[arg-type]
             if word == "storeys" and names == "all":
-                names = f"{line_label(along, 0)}-{line_label(along, frames - 1)}"  # type: ignore[arg-type]
+                names = f"{line_label(along, 0, PLAIN_AXES)}-{line_label(along, frames - 1, PLAIN_AXES)}"  # type: ignore[arg-type]
             where = f"along: {along}, frames: {names}, bays: {at}, {word}: {levels}"
             text.append(f"  - {{{where}{what(value)}}}")
         return text
 
     def _missing(self) -> list[str]:
-        beams = {place for floor, bays in self.members.floors.items() for bay in bays for place in edges(bay, floor)}
+        beams = {
+            place
+            for floor, bays in self.members.floors.items()
+            for bay in bays
+            for place in edges(bay, floor, PLAIN_AXES)
+        }
         corners = {
-            (ColumnLine(i - a, j - b), floor)
+            (ColumnLine(i - a, j - b, PLAIN_AXES), floor)
             for floor, bays in self.members.floors.items()
             for i, j in bays
             for a in (0, 1)

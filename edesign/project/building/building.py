@@ -35,6 +35,7 @@ from edesign.project.frame.elements import Elements
 from edesign.project.frame.foundations import Footing, FootingSupport, Soil
 from edesign.project.frame.materials import Material
 from edesign.project.frame.sections import SpaceFibres, SpaceSection
+from edesign.project.notation.axes import GridAxes, LetteredAxis, NumberedAxis
 from edesign.project.notation.grid import Grid
 from edesign.project.notation.repeated import Repeated
 from edesign.project.notation.selections import ALL_NUMBERS, Numbers, NumbersOrNone
@@ -68,16 +69,31 @@ class EqualStoreys(spacing.EqualStoreys):
 Heights = Annotated[tuple[PositiveLength, ...], Repeated(EqualStoreys, most=MOST_STOREYS)]
 
 
+class PlanAxes(Model):
+    """Names of the grid lines, as the plans of the office have them.
+
+    Attributes:
+        x: names of the lines across x from the left, which begin with a letter; without the key A, B, ...
+        y: names of the lines across y from below, which begin with a figure; without the key 1, 2, ...
+    """
+
+    x: tuple[LetteredAxis, ...] | None = None
+    y: tuple[NumberedAxis, ...] | None = None
+
+
 class Plan(Model):
     """The grid in plan.
 
     Attributes:
         x: widths of the bays along x, as a list, or `{count, width}` for equal ones, which may stand in it.
         y: widths of the bays along y, as a list, or `{count, width}` for equal ones, which may stand in it.
+        axes: names of the grid lines in members, nodes, selections and drawings; without the key A, B, ... across x
+            and 1, 2, ... across y.
     """
 
     x: BayWidths
     y: BayWidths
+    axes: PlanAxes = PlanAxes()
 
 
 class Setback(Model):
@@ -300,6 +316,13 @@ class Building(spacing.Storeys, AnalysisFile):
         """Return the number of plane frames along x or y."""
         return self.n_bays("y" if along == "x" else "x") + 1
 
+    @property
+    def axes(self) -> GridAxes:
+        """Names of the grid lines."""
+        own = self.plan.axes
+        x, y = own.x or (), own.y or ()  # the cross checks tell another number of them
+        return GridAxes(x if len(x) == self.n_bays("x") + 1 else (), y if len(y) == self.n_bays("y") + 1 else ())
+
     def coordinates(self, along: Direction) -> tuple[float, ...]:
         """Return the coordinates of the grid lines, m; the first is at 0."""
         return tuple(accumulate(self.widths(along), initial=0.0))
@@ -334,7 +357,7 @@ class Building(spacing.Storeys, AnalysisFile):
 
     def lines_of(self, chosen: ColumnLineSelection) -> tuple[ColumnLine, ...]:
         """Return the column lines of a selection."""
-        return tuple(chosen.lines(self.n_bays("x") + 1, self.n_bays("y") + 1))
+        return tuple(chosen.lines(self.n_bays("x") + 1, self.n_bays("y") + 1, self.axes))
 
     def place(self, line: ColumnLine) -> tuple[float, float]:
         """Return the place of a column line in plan, m."""

@@ -32,8 +32,9 @@ def check_isolation(building: Building, problems: Problems, profiles: Catalogue 
         good = check.lines((*keys, "at"), isolator.at)
         inside &= good
         check_isolator(building, problems, i, isolator, taken, "at")
-        bare = [line for line in isolator.under(building.grid.lines) if line not in bases]
-        if good and bare and not isolator.at.is_all and len(bare) == len(isolator.under(building.grid.lines)):
+        under = isolator.under(building.grid.lines, building.grid)
+        bare = [line for line in under if line not in bases]
+        if good and bare and not isolator.at.is_all and len(bare) == len(under):
             message = f"no column stands on line {listed(bare)}; `all` takes the lines that have one [E-NAME-01]"
             problems.at_value((*keys, "at"), message)
     for i, item in enumerate(isolation.beside):

@@ -13,8 +13,10 @@ from edesign.project.building.layout import DIRECTIONS, Panel, corners, met_beam
 from edesign.project.building.members import CHEVRONS, BeamRun, BraceRun, ColumnRun
 from edesign.project.building.names import BeamPlace, column_name, frame_name, node_name
 from edesign.project.building.places import panels_in, parse_column_lines, parts_of
+from edesign.project.checks.axes import check_axes
 from edesign.project.checks.sections import check_own_sections
 from edesign.project.frame.sections import Catalogue, RectangleSection, SpaceElasticSection, no_section
+from edesign.project.notation.axes import Direction, GridAxes
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
 
 MOST_COLUMNS = 50_000
@@ -71,6 +73,7 @@ def _selections(building: Building, problems: Problems, check: Selections) -> bo
     for i, setback in enumerate(building.setbacks):
         check.floors(("setbacks", i), setback.floors)
         check.bays(("setbacks", i, "bays"), setback.bays)
+    _axes(building, problems)
     _supports(building, problems, check)
     _restrained(building, problems, check)
     for i, column in enumerate(building.columns):
@@ -92,6 +95,14 @@ def _selections(building: Building, problems: Problems, check: Selections) -> bo
     for i, hole in enumerate(building.missing.beams):
         check.beam_places(("missing", "beams", i), hole)
     return len(problems.found) == before
+
+
+def _axes(building: Building, problems: Problems) -> None:
+    """Every grid line has one name, and no two of a direction the same."""
+    directions: tuple[Direction, Direction] = ("x", "y")
+    for along in directions:
+        if (own := getattr(building.plan.axes, along)) is not None:
+            check_axes(("plan", "axes", along), own, building.n_bays(along) + 1, problems)
 
 
 def _supports(building: Building, problems: Problems, check: Selections) -> None:
@@ -147,7 +158,7 @@ def _floors(building: Building, problems: Problems) -> bool:
         problems.at_key(("setbacks",), f"floor {floor} covers no bay [E-NAME-01]")
     in_part = _partial(building, problems)
     for floor in building.rigid_floors:
-        if floor not in in_part and (shared := _shared(building.rigid_parts(floor))):
+        if floor not in in_part and (shared := _shared(building.rigid_parts(floor), building.axes)):
             parts = f"floor {floor} is in parts that touch at {listed(shared)} alone, which two diaphragms cannot share"
             message = f"{parts}; leave it out of `diaphragms` [E-VALUE-04]"
             problems.at_key(("diaphragms",) if problems.root.child("diaphragms") else ("setbacks",), message)
@@ -169,16 +180,17 @@ def _partial(building: Building, problems: Problems) -> set[int]:
             elif len(parts_of(panels)) > 1:
                 message = "the bays are in parts that do not touch; give each of them an entry of its own [E-VALUE-04]"
                 problems.at_key((*keys, "bays"), message)
-            elif shared := _shared((before, panels)):
+            elif shared := _shared((before, panels), building.axes):
                 message = f"floor {floor} has a rigid part by an entry before this one, which ties {listed(shared)} too"
                 problems.at_value((*keys, "floors"), f"{message} [E-NAME-02]")
             found[floor] = before | panels
     return set(found)
 
 
-def _shared(parts: tuple[frozenset[Panel], ...]) -> list[str]:
+def _shared(parts: tuple[frozenset[Panel], ...], axes: GridAxes) -> list[str]:
     """The column lines at corners of more than one part of a floor."""
-    lines = Counter(str(line) for panels in parts for line in {line for panel in panels for line in corners(panel)})
+    at = [{line for panel in panels for line in corners(panel, axes)} for panels in parts]
+    lines = Counter(str(line) for of_part in at for line in of_part)
     return sorted(line for line, count in lines.items() if count > 1)
 
 
@@ -221,7 +233,7 @@ def _braces(building: Building, problems: Problems) -> None:
     reported: set[tuple[int, str]] = set()
     for place, run in layout.brace_at.items():
         i = numbers[id(run)]
-        beam = met_beam(place, run) if run.kind in CHEVRONS else BeamPlace(*place[:3], place.storey)
+        beam = met_beam(place, run) if run.kind in CHEVRONS else BeamPlace(*place)
         if beam not in layout.beam_at:
             where = "at the base, where there is none" if beam.floor == 0 else "which is missing"
             reported.add((i, f"{place} needs the beam {beam}, {where} [E-BLDG-02]"))
@@ -253,9 +265,10 @@ def _resisting(building: Building, problems: Problems) -> None:
         if loose:
             first = next((i for i, run in enumerate(building.beams) if run.along == along), 0)
             storeys = f"storey {loose[0]}" if len(loose) == 1 else f"storeys {', '.join(map(str, loose))}"
+            names = [frame_name(along, i, building.axes) for i in range(building.n_frames(along))]
             message = (
                 f"nothing resists along {along} in {storeys}: all beams above and below are pinned and no bay of "
-                f"{frame_name(along, 0)} to {frame_name(along, building.n_frames(along) - 1)} is braced [E-BLDG-02]"
+                f"{names[0]} to {names[-1]} is braced [E-BLDG-02]"
             )
             problems.at_value(("beams", first, "ends"), message)
 

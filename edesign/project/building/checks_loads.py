@@ -148,7 +148,7 @@ def _area(building: Building, problems: Problems, keys: Keys, area: Areas | Case
             if uncovered := _uncovered(building, floor, block):
                 problems.at_value((*keys, "bays"), f"floor {floor} does not cover {uncovered} [E-BLDG-02]")
         for panel in sorted(wanted & layout.floors[floor]):
-            bare |= {beam for beam in _carriers(area, edges(panel, floor)) if beam not in layout.beam_at}
+            bare |= {beam for beam in _carriers(area, edges(panel, floor, building.axes)) if beam not in layout.beam_at}
     if bare:
         message = f"the floor rests on beams that are missing: {listed(_by_floor(bare))} [E-BLDG-02]"
         problems.at_value(keys, message)

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from edesign.project.building.building import Building
 from edesign.project.building.members import BeamPlaces, ColumnPlaces
-from edesign.project.building.names import column_name, line_label, node_name
+from edesign.project.building.names import ColumnLine, column_name, line_label, node_name
 from edesign.project.building.places import ColumnLineSelection, Panels
 from edesign.project.checks.selections import GridSelections
 from edesign.project.notation.frames import Direction, FrameSelection
-from edesign.project.notation.names import line_name
 from edesign.project.notation.selections import NumberSelection
 from edesign.project.reading.problems import Keys, Problems
 
@@ -48,12 +47,22 @@ class Selections(GridSelections):
 
     def lines_outside(self, chosen: ColumnLineSelection) -> dict[int, str]:
         """Return a message for each item of a selection that is outside the plan, by its number."""
-        n_x, n_y = self.building.n_bays("x"), self.building.n_bays("y")
-        return {
-            i: f"`{item.text}`: column lines go from A1 to {line_name(n_x)}{n_y + 1} [E-NAME-01]"
-            for i, item in enumerate(chosen.items)
-            if (item.x is not None and item.x[1] > n_x) or (item.y is not None and item.y[1] > n_y)
-        }
+        found = {}
+        for i, item in enumerate(chosen.items):
+            for across, span in item.spans(self.building.axes):
+                if span is None or span[1] > self.building.n_bays(across):
+                    found[i] = f"`{item.text}`: column lines go from {self._lines_there()} [E-NAME-01]"
+                elif span[0] > span[1]:
+                    found.setdefault(i, f"the range `{item.text}` runs backwards [E-VALUE-04]")
+        return found
+
+    def _lines_there(self) -> str:
+        """The column lines of the plan, `A1 to D4`; the names of all grid lines where the plan gives names."""
+        building, axes = self.building, self.building.axes
+        last = building.n_bays("x"), building.n_bays("y")
+        told = f"{ColumnLine(0, 0, axes)} to {ColumnLine(*last, axes)}"
+        own = [f"`{', '.join(names)}` across {way}" for way, names in (("x", axes.x), ("y", axes.y)) if names]
+        return f"{told}; lines are {' and '.join(own)}" if own else told
 
     def frames(self, keys: Keys, chosen: FrameSelection, along: Direction) -> bool:
         """Check that every frame exists and has the direction.
@@ -63,10 +72,15 @@ class Selections(GridSelections):
             along: direction of the frames, x or y.
         """
         good = True
-        last = self.building.n_frames(along) - 1
-        names = f"{line_label(along, 0)} to {line_label(along, last)}"
+        last, axes = self.building.n_frames(along) - 1, self.building.axes
+        own = axes.y if along == "x" else axes.x
+        names = ", ".join(own) if own else f"{line_label(along, 0, axes)} to {line_label(along, last, axes)}"
         for i, item in enumerate(chosen.items):
-            if item.along != along or item.span[1] > last:
+            span = item.span(axes)
+            if span is not None and span[0] > span[1] and item.along == along:
+                self.problems.at_item(keys, i, f"the range `{item.text}` runs backwards [E-VALUE-04]")
+                good = False
+            elif item.along != along or span is None or span[1] > last:
                 self.problems.at_item(
                     keys, i, f"there is no frame `{item.text}` along {along}; they are {names} [E-NAME-01]"
                 )

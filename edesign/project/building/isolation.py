@@ -8,10 +8,11 @@ from typing import Annotated
 from pydantic import Field
 
 from edesign.project.building.loads import Category
-from edesign.project.building.places import ALL_COLUMN_LINES, ColumnLines, named_line
+from edesign.project.building.places import ALL_COLUMN_LINES, ColumnLines
 from edesign.project.building.supports import Rotation
 from edesign.project.dampers.isolation import AnyBaseDevice, AnyIsolation, AnyIsolator
 from edesign.project.notation.frames import Direction
+from edesign.project.notation.grid import Grid
 from edesign.project.notation.units import AreaLoad, PositiveLength, PositiveMass
 from edesign.project.reading.base import Model
 
@@ -27,9 +28,14 @@ class BaseDevice(AnyBaseDevice):
     at: ColumnLines = ALL_COLUMN_LINES
     direction: Direction
 
-    def under(self, lines: Sequence[str]) -> tuple[str, ...]:
-        """Return those of some column lines, by name, at which it stands."""
-        return tuple(line for line in lines if named_line(line) in self.at)
+    def under(self, lines: Sequence[str], grid: Grid) -> tuple[str, ...]:
+        """Return those of some column lines, by name, at which it stands.
+
+        Args:
+            grid: of the building, with all of its lines.
+        """
+        chosen = grid.lines_of(self.at)
+        return tuple(line for line in lines if line in chosen)
 
     @property
     def axes(self) -> tuple[str, ...]:
@@ -46,9 +52,14 @@ class Isolator(AnyIsolator):
 
     at: ColumnLines = ALL_COLUMN_LINES
 
-    def under(self, lines: Sequence[str]) -> tuple[str, ...]:
-        """Return those of some column lines, by name, at which it stands."""
-        return tuple(line for line in lines if named_line(line) in self.at)
+    def under(self, lines: Sequence[str], grid: Grid) -> tuple[str, ...]:
+        """Return those of some column lines, by name, at which it stands.
+
+        Args:
+            grid: of the building, with all of its lines.
+        """
+        chosen = grid.lines_of(self.at)
+        return tuple(line for line in lines if line in chosen)
 
     @property
     def axes(self) -> tuple[str, ...]:

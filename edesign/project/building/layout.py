@@ -21,8 +21,9 @@ from edesign.project.building.names import (
     node_name,
 )
 from edesign.project.building.own_cases import Side, facing
-from edesign.project.building.places import panels_in, parse_column_lines
+from edesign.project.building.places import ColumnLineSelection, panels_in, parse_column_lines
 from edesign.project.frame.spacing import Storeys
+from edesign.project.notation.axes import GridAxes
 from edesign.project.notation.frames import ALL_FRAMES
 from edesign.project.notation.grid import BayPlace, InBays
 
@@ -59,6 +60,7 @@ class Layout(Storeys):
     def __init__(self, building: Building) -> None:
         self._building = building
         self.storeys = building.storeys
+        self.axes = building.axes
 
     # --- floors
 
@@ -78,14 +80,15 @@ class Layout(Storeys):
     def floor_lines(self) -> dict[int, tuple[ColumnLine, ...]]:
         """The column lines at the corners of the bays that each floor covers, in the order of the grid."""
         return {
-            floor: tuple(sorted({line for p in panels for line in corners(p)})) for floor, panels in self.floors.items()
+            floor: tuple(sorted({line for p in panels for line in corners(p, self.axes)}))
+            for floor, panels in self.floors.items()
         }
 
     @cached_property
     def floor_edges(self) -> dict[int, Counter[BeamPlace]]:
         """The number of covered bays at each place of a beam, by floor: 1 at the perimeter, 2 inside."""
         return {
-            floor: Counter(edge for panel in sorted(panels) for edge in edges(panel, floor))
+            floor: Counter(edge for panel in sorted(panels) for edge in edges(panel, floor, self.axes))
             for floor, panels in self.floors.items()
         }
 
@@ -169,8 +172,8 @@ class Layout(Storeys):
         for floor in self._building.rigid_floors:
             parts = self._building.rigid_parts(floor)
             for number, panels in enumerate(parts, start=1):
-                lines = {line for panel in panels for line in corners(panel)} & set(self.node_lines[floor])
-                beams = {edge for panel in panels for edge in edges(panel, floor)} & self.halved_beams
+                lines = {line for panel in panels for line in corners(panel, self.axes)} & set(self.node_lines[floor])
+                beams = {edge for panel in panels for edge in edges(panel, floor, self.axes)} & self.halved_beams
                 if panels == self.floors[floor]:
                     lines = set(self.node_lines[floor])
                     beams = {beam for beam in self.halved_beams if beam.floor == floor}
@@ -217,11 +220,14 @@ class Layout(Storeys):
             chosen = parse_column_lines(name)
         except PydanticCustomError:
             return ()
-        ends = [(item.x, self._building.n_bays("x")) for item in chosen.items]
-        ends += [(item.y, self._building.n_bays("y")) for item in chosen.items]
-        if any(span is not None and span[1] > last for span, last in ends):
+        ends = [end for item in chosen.items for end in item.spans(self.axes)]
+        if any(span is None or span[1] > self._building.n_bays(across) for across, span in ends):
             return ()
         return tuple(line for line in map(str, self._building.lines_of(chosen)) if line in self.lines)
+
+    def lines_of(self, chosen: ColumnLineSelection) -> tuple[str, ...]:
+        """Return the names of the column lines of a selection."""
+        return tuple(map(str, self._building.lines_of(chosen)))
 
     def line_place(self, line: str) -> tuple[float, float]:
         """Return the place of a column line in plan by its name, m."""
@@ -245,9 +251,9 @@ class Layout(Storeys):
         """Yield the places of a selection of beams, whether they exist or not."""
         along = chosen.along
         for floor in chosen.floors.numbers(1, self.n_storeys):
-            for frame in chosen.frames.numbers(self._building.n_frames(along)):
+            for frame in chosen.frames.numbers(self._building.n_frames(along), self.axes):
                 for bay in chosen.bays.numbers(1, self._building.n_bays(along)):
-                    yield BeamPlace(along, frame, bay, floor)
+                    yield BeamPlace(along, frame, bay, floor, self.axes)
 
     def members_in(self, beams: BeamPlaces | None, columns: ColumnPlaces | None) -> Iterator[tuple[str, str]]:
         """Yield the first and the last member of each selected beam or column that exists; of most they are one.
@@ -286,11 +292,11 @@ class Layout(Storeys):
         along = chosen.along
         if along is None:
             return
-        frames = (chosen.frames or ALL_FRAMES).numbers(self._building.n_frames(along))
+        frames = (chosen.frames or ALL_FRAMES).numbers(self._building.n_frames(along), self.axes)
         for storey in chosen.storeys.numbers(1, self.n_storeys):
             for frame in frames:
                 for bay in chosen.bays.numbers(1, self._building.n_bays(along)):
-                    yield BracePlace(along, frame, bay, storey)
+                    yield BracePlace(along, frame, bay, storey, self.axes)
 
     def faces(self, storey: int, side: Side) -> Iterator[tuple[tuple[ColumnLine, ColumnLine], float]]:
         """Yield the column lines at both ends of each bay of a storey whose side looks into the open, and its width.
@@ -308,35 +314,41 @@ class Layout(Storeys):
                 continue
             at = (i, j)[axis] - (inwards > 0.0)
             if axis == 0:
-                yield (ColumnLine(at, j - 1), ColumnLine(at, j)), widths[j - 1]
+                yield (ColumnLine(at, j - 1, self.axes), ColumnLine(at, j, self.axes)), widths[j - 1]
             else:
-                yield (ColumnLine(i - 1, at), ColumnLine(i, at)), widths[i - 1]
+                yield (ColumnLine(i - 1, at, self.axes), ColumnLine(i, at, self.axes)), widths[i - 1]
 
     def bay_places(self, chosen: InBays) -> Iterator[BayPlace]:
         """Yield the places of what stands in bays, storey by storey, by the names of their frames."""
         for place in self.brace_places(chosen):
-            yield BayPlace(frame_name(place.along, place.frame), place.bay, place.storey)
+            yield BayPlace(frame_name(place.along, place.frame, place.axes), place.bay, place.storey)
 
 
-def corners(panel: Panel) -> tuple[ColumnLine, ...]:
-    """Return the column lines at the corners of a bay of the plan."""
+def corners(panel: Panel, axes: GridAxes) -> tuple[ColumnLine, ...]:
+    """Return the column lines at the corners of a bay of the plan.
+
+    Args:
+        panel: the bay: its numbers along x and along y, from 1.
+        axes: names of the grid lines.
+    """
     i, j = panel
-    return ColumnLine(i - 1, j - 1), ColumnLine(i, j - 1), ColumnLine(i - 1, j), ColumnLine(i, j)
+    return tuple(ColumnLine(a, b, axes) for b in (j - 1, j) for a in (i - 1, i))
 
 
-def edges(panel: Panel, floor: int) -> tuple[BeamPlace, BeamPlace, BeamPlace, BeamPlace]:
+def edges(panel: Panel, floor: int, axes: GridAxes) -> tuple[BeamPlace, BeamPlace, BeamPlace, BeamPlace]:
     """Return the places of the beams at the edges of a bay of the plan: two along x, two along y.
 
     Args:
         panel: the bay: its numbers along x and along y, from 1.
         floor: number of the floor; 0 is the base.
+        axes: names of the grid lines.
     """
     i, j = panel
     return (
-        BeamPlace("x", j - 1, i, floor),
-        BeamPlace("x", j, i, floor),
-        BeamPlace("y", i - 1, j, floor),
-        BeamPlace("y", i, j, floor),
+        BeamPlace("x", j - 1, i, floor, axes),
+        BeamPlace("x", j, i, floor, axes),
+        BeamPlace("y", i - 1, j, floor, axes),
+        BeamPlace("y", i, j, floor, axes),
     )
 
 
@@ -348,7 +360,7 @@ def met_beam(place: BracePlace, run: BraceRun) -> BeamPlace:
         run: the run of braces, with their kind.
     """
     floor = place.storey if run.kind == "chevron" else place.storey - 1
-    return BeamPlace(place.along, place.frame, place.bay, floor)
+    return BeamPlace(*place[:3], floor, place.axes)
 
 
 Point = tuple[ColumnLine | None, int]
@@ -378,4 +390,4 @@ def ways(place: BracePlace, run: BraceRun) -> dict[str, tuple[Point, Point]]:
 
 def _point_name(place: BracePlace, line: ColumnLine | None, floor: int) -> str:
     """Name of the node at a point of a braced bay."""
-    return node_name(line, floor) if line is not None else str(BeamPlace(*place[:3], floor))
+    return node_name(line, floor) if line is not None else str(BeamPlace(*place[:3], floor, place.axes))

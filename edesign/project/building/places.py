@@ -8,24 +8,38 @@ from dataclasses import dataclass
 from typing import Annotated, Any
 
 from edesign.project.building.names import ColumnLine
-from edesign.project.notation.frames import Span, line_number, span_of, within
-from edesign.project.notation.names import line_index
+from edesign.project.notation.axes import LETTERED, NUMBERED, Direction, GridAxes, Span
 from edesign.project.notation.selections import ALL_NUMBERS, Numbers, items_of, selection
 from edesign.project.notation.written import Written
 from edesign.project.reading.base import Model, refuse
 from edesign.project.reading.problems import as_seen
 
-_END = r"([A-Z]{0,2})([0-9]{0,3})"
+_END = rf"({LETTERED})?({NUMBERED})?"
 _LINES = re.compile(rf"\s*{_END}\s*(?:-\s*{_END}\s*)?")
 
 
 @dataclass(frozen=True)
 class ColumnLineItem:
-    """A block of column lines; None takes all of that direction."""
+    """A block of column lines by the names of its first and last grid lines; None takes all of that direction."""
 
     text: str
-    x: Span | None
-    y: Span | None
+    x: tuple[str, str] | None
+    y: tuple[str, str] | None
+
+    def spans(self, axes: GridAxes) -> Iterator[tuple[Direction, Span | None]]:
+        """Yield directions with the numbers of the first and last grid lines across them; None: there is no such line.
+
+        Args:
+            axes: names of the grid lines.
+        """
+        if self.x is not None:
+            yield "x", axes.span("x", self.x)
+        if self.y is not None:
+            yield "y", axes.span("y", self.y)
+
+    def __contains__(self, line: ColumnLine) -> bool:
+        at = {"x": line.i, "y": line.j}
+        return all(span is not None and span[0] <= at[way] <= span[1] for way, span in self.spans(line.axes))
 
 
 @dataclass(frozen=True)
@@ -40,16 +54,17 @@ class ColumnLineSelection:
         return not self.items
 
     def __contains__(self, line: ColumnLine) -> bool:
-        return self.is_all or any(within(line.i, item.x) and within(line.j, item.y) for item in self.items)
+        return self.is_all or any(line in item for item in self.items)
 
-    def lines(self, n_x: int, n_y: int) -> Iterator[ColumnLine]:
+    def lines(self, n_x: int, n_y: int, axes: GridAxes) -> Iterator[ColumnLine]:
         """Yield the selected ones of the column lines of a plan, each once.
 
         Args:
             n_x: number of lines along x.
             n_y: number of lines along y.
+            axes: names of the grid lines.
         """
-        return (line for i in range(n_x) for j in range(n_y) if (line := ColumnLine(i, j)) in self)
+        return (line for i in range(n_x) for j in range(n_y) if (line := ColumnLine(i, j, axes)) in self)
 
 
 class Panels(Model):
@@ -79,7 +94,7 @@ def parse_column_lines(value: Any) -> ColumnLineSelection:
     """Read a selection of column lines.
 
     Raises:
-        PydanticCustomError: not a selection, or a range that runs backwards.
+        PydanticCustomError: not a selection.
     """
     if isinstance(value, ColumnLineSelection):
         return value
@@ -101,7 +116,7 @@ ColumnLines = Annotated[
         parse_column_lines,
         selection(
             "selection of column lines",
-            r"(?=[A-Z0-9])[A-Z]{0,2}[0-9]{0,3}(?:\s*-\s*[A-Z]{0,2}[0-9]{0,3})?",
+            rf"(?=[A-Z0-9])(?:{LETTERED})?(?:{NUMBERED})?(?:\s*-\s*(?:{LETTERED})?(?:{NUMBERED})?)?",
             ("all",),
             "`all`, `A2`, `A`, `2` or `A1-C2`",
             True,
@@ -137,24 +152,14 @@ def parts_of(panels: frozenset[tuple[int, int]]) -> tuple[frozenset[tuple[int, i
 
 def _column_lines(item: Any, at: tuple[int, ...]) -> ColumnLineItem:
     match = None if isinstance(item, (bool, float)) or not str(item).strip() else _LINES.fullmatch(str(item))
-    if not match or isinstance(item, (list, tuple, dict)):
+    if not match or not any(match.groups()) or isinstance(item, (list, tuple, dict)):
         raise refuse(
             f"{as_seen(item)} is no selection of column lines; write `all`, `A2`, `A`, `2`, `A1-C2` [E-VALUE-01]", *at
         )
     letter, number, last_letter, last_number = match.groups()
-    if last_letter is not None and (bool(letter), bool(number)) != (bool(last_letter), bool(last_number)):
+    ranges = "-" in str(item)
+    if ranges and (letter is None, number is None) != (last_letter is None, last_number is None):
         raise refuse(f"`{item}`: both ends of a range are written alike, as `A1-C2`, `A-C` or `1-2` [E-VALUE-01]", *at)
-    x = span_of(item, line_index(letter), line_index(last_letter or letter), at) if letter else None
-    y = (
-        span_of(item, line_number(number, item, at), line_number(last_number or number, item, at), at)
-        if number
-        else None
-    )
+    x = (letter, last_letter or letter) if letter else None
+    y = (number, last_number or number) if number else None
     return ColumnLineItem(str(item).strip(), x, y)
-
-
-def named_line(name: str) -> ColumnLine:
-    """Return the column line of a name that is right, such as `B3`."""
-    match = _LINES.fullmatch(name)
-    assert match is not None
-    return ColumnLine(line_index(match[1]), int(match[2]) - 1)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from edesign.project.checks.axes import check_axes
 from edesign.project.checks.sections import check_own_sections
 from edesign.project.checks.selections import Selections
 from edesign.project.dampers.isolation import BaseBeams
@@ -14,7 +15,6 @@ from edesign.project.frame.sections import Catalogue, ElasticSection, PlateSecti
 from edesign.project.notation import names
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, did_you_mean, listed, unknown_name
-from edesign.project.reading.words import counted
 
 Run = ColumnRun | BeamRun | BraceRun | BaseBeams
 
@@ -63,13 +63,7 @@ def check_frame(project: Project, problems: Problems, profiles: Catalogue | None
 def _axes(frame: Frame, problems: Problems) -> None:
     if frame.axes is None:
         return
-    keys = ("frame", "axes")
-    if len(frame.axes) != frame.n_lines:
-        message = f"{counted(len(frame.axes), 'name')} for {counted(frame.n_lines, 'line')}; one for each is needed"
-        problems.at_value(keys, f"{message} [E-VALUE-04]")
-    for i, name in enumerate(frame.axes):
-        if name in frame.axes[:i]:
-            problems.at_item(keys, i, f"`{name}` comes twice [E-NAME-02]")
+    check_axes(("frame", "axes"), frame.axes, frame.n_lines, problems)
 
 
 def _supports(frame: Frame, problems: Problems) -> None:

@@ -88,7 +88,7 @@ def check_isolator(
         problems.at_value(
             (*keys, "vertical"), "an isolator carries the column; it is `fixed` or has a stiffness [E-KEY-03]"
         )
-    for line in isolator.under(project.grid.lines):
+    for line in isolator.under(project.grid.lines, project.grid):
         if line in taken:
             message = f"line {line} has an isolator already, isolators[{taken[line]}]; one carries the column"
             problems.at_value((*keys, lines), f"{message} (give what acts beside it under `beside`) [E-ISOL-04]")
@@ -159,7 +159,7 @@ def _other_bases(project: Project, problems: Problems, isolation: Isolation, tak
             (*_AT, "isolators"), f"{message} ({kinds}); isolate them, or let them slide: `roller` [E-ISOL-01]"
         )
     for i, isolator in enumerate(isolation.isolators):
-        bare = [line for line in isolator.under(frame.lines) if line not in column_bases]
+        bare = [line for line in isolator.under(frame.lines, frame) if line not in column_bases]
         if bare and not isolator.lines.is_all:
             message = f"no column stands on line {listed(bare)}; `all` takes the lines that have one [E-NAME-01]"
             problems.at_value((*_AT, "isolators", i, "lines"), message)

@@ -44,7 +44,7 @@ def names_of_dampers(grid: Grid, dampers: Dampers | None) -> tuple[str, ...]:
             (names.base_device_name, isolation.beside),
         ):
             for item in items:
-                for line in item.under(grid.lines):
+                for line in item.under(grid.lines, grid):
                     if grid.node_name(line, 0) in grid.nodes:
                         base += [names.free_name(names.of_axis(named(line), axis), base) for axis in item.axes]
     return (*base, *devices_by_name(grid, dampers))

@@ -10,6 +10,7 @@ from pydantic import Field
 
 from edesign.project.frame.sections import SectionAxis
 from edesign.project.frame.supports import Turning, Vertical
+from edesign.project.notation.grid import Grid
 from edesign.project.notation.selections import ALL_LINES, Lines
 from edesign.project.notation.units import LineLoad, PositiveArea, PositiveFactor, PositiveLength, PositiveMass
 from edesign.project.reading.base import Model
@@ -55,8 +56,12 @@ class AnyBaseDevice(Model):
     scale: PositiveFactor | None = None
 
     @abstractmethod
-    def under(self, lines: Sequence[str]) -> tuple[str, ...]:
-        """Return those of some column lines, by name, at which it stands."""
+    def under(self, lines: Sequence[str], grid: Grid) -> tuple[str, ...]:
+        """Return those of some column lines, by name, at which it stands.
+
+        Args:
+            grid: of the structure, with all of its lines.
+        """
 
     @property
     def axes(self) -> tuple[str, ...]:
@@ -101,9 +106,14 @@ class BaseDevice(AnyBaseDevice):
 
     lines: Lines = ALL_LINES
 
-    def under(self, lines: Sequence[str]) -> tuple[str, ...]:
-        """Return those of some column lines, by name, at which it stands."""
-        return self.lines.names(lines)
+    def under(self, lines: Sequence[str], grid: Grid) -> tuple[str, ...]:
+        """Return those of some column lines, by name, at which it stands.
+
+        Args:
+            grid: of the structure, with all of its lines.
+        """
+        chosen = grid.lines_of(self.lines)
+        return tuple(line for line in lines if line in chosen)
 
 
 class Isolator(AnyIsolator, BaseDevice):

@@ -292,6 +292,10 @@ class Frame(Storeys, Model):
         """Return the line of a name; nothing where there is none."""
         return (name,) if name in self.lines else ()
 
+    def lines_of(self, chosen: LineSelection) -> tuple[str, ...]:
+        """Return the names of the column lines of a selection."""
+        return chosen.names(self.lines)
+
     def line_place(self, line: str) -> tuple[float]:
         """Return the place of a line as a tuple of its x alone, m."""
         return (self.x[self.lines.index(line)],)

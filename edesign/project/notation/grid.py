@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol
 
 from edesign.project.notation.frames import Direction, FrameSelection
 from edesign.project.notation.selections import NumberSelection
@@ -74,6 +74,9 @@ class Grid(Protocol):
 
     def lines_in(self, name: str) -> tuple[str, ...]:
         """Return the column lines that a name stands for: a line, or of a building a selection of them."""
+
+    def lines_of(self, chosen: Any) -> tuple[str, ...]:
+        """Return the names of the column lines of a selection of lines, or of a building of column lines."""
 
     def line_place(self, line: str) -> tuple[float, ...]:
         """Return the place of a column line in plan, m: x of a frame, x and y of a building."""

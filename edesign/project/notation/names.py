@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from typing import Literal
 
-LINE = r"[A-Z][A-Z0-9']{0,7}"
+LINE = r"[A-Z][A-Za-z0-9']{0,7}"
 """Expression of the name of a column line: letters, or what plans call it, such as `A1` or `B'`."""
 
 
@@ -37,6 +37,11 @@ def line_index(name: str) -> int:
     for letter in name:
         index = 26 * index + ord(letter) - ord("A") + 1
     return index - 1
+
+
+def plain_line(name: str) -> bool:
+    """Return whether the name of a column line is made of capital letters alone, as those without own names are."""
+    return name.isalpha() and name.isupper()
 
 
 def node_name(line: str, floor: int) -> str:

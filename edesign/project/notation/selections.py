@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Annotated, Any
 
-from edesign.project.notation.names import LINE, line_index
+from edesign.project.notation.names import LINE, line_index, plain_line
 from edesign.project.notation.written import SHARED, SchemaMaker, Written, given
 from edesign.project.reading.base import refuse
 from edesign.project.reading.problems import as_seen
@@ -69,7 +69,7 @@ class LineSelection:
 
 def _beyond(line: str) -> float:
     """The place of a line that the frame does not have: that of its letters; nowhere if it has a name of its own."""
-    return line_index(line) if line.isalpha() else math.nan
+    return line_index(line) if plain_line(line) else math.nan
 
 
 def parse_numbers(value: Any) -> NumberSelection:
@@ -192,7 +192,7 @@ def _line_range(item: Any, at: tuple[int, ...]) -> tuple[str, str]:
             f"{as_seen(item)} is no selection of lines; write `all`, `B`, `A-D` or `[A, C-D]` [E-VALUE-01]", *at
         )
     first, last = match[1], match[2] or match[1]
-    if first.isalpha() and last.isalpha() and line_index(first) > line_index(last):
+    if plain_line(first) and plain_line(last) and line_index(first) > line_index(last):
         raise refuse(f"the range `{item}` runs backwards; write `{last}-{first}` [E-VALUE-04]", *at)
     return first, last
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Iterator
 from functools import partial
 from typing import TYPE_CHECKING
@@ -11,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from edesign.archive.reader import Archive
+from edesign.project.notation.axes import COLUMN_LINE
 from edesign.report.building.results import BuildingResults, BuildingValues
 from edesign.report.model.boxes import Spot
 from edesign.report.model.elevation import Grid, draw_axes
@@ -32,7 +32,6 @@ _X, _Z = 0, 2
 _PIN = 0.07  # place of a hinge in drawings, by the length of the member
 _BESIDE = 0.03  # of a label beside its member, inches
 _WIDTH = 6.4  # of the legend, inches
-_NODE = re.compile(r"([A-Z]+)([0-9]+)\.[0-9]+")
 
 
 def elevations(archive: Archive) -> Iterator[Named]:
@@ -60,7 +59,7 @@ def grid_lines(results: BuildingValues) -> tuple[list[tuple[str, float]], list[t
     across_x: dict[str, float] = {}
     across_y: dict[str, float] = {}
     for name, place in zip(results.values("nodes", "node"), results.values("nodes", "position"), strict=True):
-        if (found := _NODE.fullmatch(str(name))) is not None:
+        if (found := COLUMN_LINE.fullmatch(str(name).partition(".")[0])) is not None:
             across_x[found[1]], across_y[found[2]] = float(place[0]), float(place[1])
     first, second = (sorted(lines.items(), key=lambda line: line[1]) for lines in (across_x, across_y))
     return first, second

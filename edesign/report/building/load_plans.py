@@ -9,7 +9,6 @@ from edesign.project.building import Building
 from edesign.project.building.isolation import IsolatedBase
 from edesign.project.building.loads import Areas, BeamLoad, NodeLoad, PerimeterLoad
 from edesign.project.building.places import panels_in
-from edesign.project.notation.names import line_name
 from edesign.report.drawing.captions import file_name
 from edesign.report.drawing.style import AFTER
 from edesign.report.model.boxes import Spot
@@ -93,8 +92,8 @@ def _draw_base(sheet: Sheet, building: Building, base: IsolatedBase) -> None:
 def _bays(sheet: Sheet, building: Building, panels: frozenset[Panel]) -> Grid:
     """Draw the axes and the bays that a floor covers, and return where they are."""
     xs, ys = building.coordinates("x"), building.coordinates("y")
-    grid = Grid.of([line_name(i) for i in range(len(xs))], xs, ys)
-    draw_plan_axes(sheet, grid, [str(j + 1) for j in range(len(ys))])
+    grid = Grid.of([building.axes.name("x", i) for i in range(len(xs))], xs, ys)
+    draw_plan_axes(sheet, grid, [building.axes.name("y", j) for j in range(len(ys))])
     for i, j in panels:
         (x0, y0), (x1, y1) = grid.at(xs[i - 1], ys[j - 1]), grid.at(xs[i], ys[j])
         sheet.shape([(x0, y0), (x1, y0), (x1, y1), (x0, y1)], AREA, "#9aa3ae", 0.6, zorder=1.0)

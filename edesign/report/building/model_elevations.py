@@ -48,11 +48,11 @@ def model_elevations(
     for along in DIRECTIONS:
         groups: dict[tuple[object, ...], list[int]] = {}
         for number in range(building.n_frames(along)):
-            members = _members(frame, frame_name(along, number))
+            members = _members(frame, frame_name(along, number, building.axes))
             if members and not (variant and not _devices(building, along, number).look):
                 groups.setdefault(_look(building, frame, along, number, members), []).append(number)
         for numbers in groups.values():
-            names = [frame_name(along, number) for number in numbers]
+            names = [frame_name(along, number, building.axes) for number in numbers]
             caption = (
                 f"Frame{'s' * (len(names) > 1)} {some_names(names, 6)} along {along}: spans, heights and levels in m, "
             )
@@ -94,11 +94,11 @@ def _look(
 def _grid(building: Building, along: Direction) -> Grid:
     xs = building.coordinates(along)
     other: Direction = "y" if along == "x" else "x"
-    return Grid.of([line_label(other, i) for i in range(len(xs))], xs, building.levels)
+    return Grid.of([line_label(other, i, building.axes) for i in range(len(xs))], xs, building.levels)
 
 
 def _devices(building: Building, along: Direction, number: int) -> DevicesOnSheet:
-    elevation = BuildingElevation(building, frame_name(along, number))
+    elevation = BuildingElevation(building, frame_name(along, number, building.axes))
     return DevicesOnSheet(building, _grid(building, along), elevation.damper, elevation.name)
 
 
@@ -111,7 +111,7 @@ def _bases(building: Building, along: Direction, number: int) -> list[tuple[floa
 def _draw(sheet: Sheet, building: Building, frame: SpaceFrame, along: Direction, number: int) -> None:
     k = DIRECTIONS.index(along)
     grid = _grid(building, along)
-    members = _members(frame, frame_name(along, number))
+    members = _members(frame, frame_name(along, number, building.axes))
     places = {one.name: [grid.at(*frame.coordinates[n][[k, 2]]) for n in (one.start, one.end)] for one in members}
     ends = {name: (start, end) for name, (start, end) in places.items()}
     draw_axes(sheet, grid)
@@ -159,7 +159,7 @@ def _lines_of(building: Building, along: Direction, number: int) -> dict[ColumnL
     """The column lines of a frame that have a column at the base, with the names of their axes."""
     across: Direction = "y" if along == "x" else "x"
     lines = [line for line in building.layout.node_lines[0] if line.frame(along) == number]
-    return {line: line_label(across, line.frame(across)) for line in lines}
+    return {line: line_label(across, line.frame(across), line.axes) for line in lines}
 
 
 def _under(building: Building, along: Direction, number: int) -> tuple[object, ...]:
@@ -167,8 +167,8 @@ def _under(building: Building, along: Direction, number: int) -> tuple[object, .
     if building.isolation is None:
         return ()
     lines = {str(line): axis for line, axis in _lines_of(building, along, number).items()}
-    items = (*building.isolation.isolators, *building.isolation.beside)
-    return tuple(tuple(lines[line] for line in one.under(tuple(lines))) for one in items if along in one.axes)
+    items, grid = (*building.isolation.isolators, *building.isolation.beside), building.grid
+    return tuple(tuple(lines[line] for line in one.under(tuple(lines), grid)) for one in items if along in one.axes)
 
 
 def _isolators(sheet: Sheet, grid: Grid, building: Building, along: Direction, number: int) -> Iterator[Entry]:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from edesign.project.building.building import Building
 from edesign.project.building.names import frame_name
+from edesign.project.notation.axes import LETTERED, NUMBERED
 from edesign.project.notation.frames import Direction, frames_of_line, frames_of_member
 from edesign.project.notation.names import base_device_name, isolator_name
 from edesign.report.drawing.frame_drawing import (
@@ -26,7 +27,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
-_IN_BAY = re.compile(r"([VRFS])([XY])_([A-Z]+|\d+)_(\d+)_(\d+)(?:_(r|f))?(?:_\d+)?")
+_IN_BAY = re.compile(rf"([VRFS])([XY])_({LETTERED}|{NUMBERED})_([0-9]+)_([0-9]+)(?:_(r|f))?(?:_[0-9]+)?")
 
 
 class DamperBay(NamedTuple):
@@ -60,7 +61,7 @@ def frame_names(building: Building) -> list[str]:
         building: as its file says.
     """
     along: tuple[Direction, ...] = ("x", "y")
-    return [frame_name(axis, number) for axis in along for number in range(building.n_frames(axis))]
+    return [frame_name(axis, number, building.axes) for axis in along for number in range(building.n_frames(axis))]
 
 
 @dataclass(frozen=True)
@@ -119,10 +120,10 @@ class BuildingElevation:
         bases, isolation = self._bases(), self.building.isolation if isolated else None
         of_base = []
         if isolation is not None:
-            lines = tuple(line for line, _, _ in bases)
-            of_base = [isolator_name(line) for one in isolation.isolators for line in one.under(lines)]
+            lines, grid = tuple(line for line, _, _ in bases), self.building.grid
+            of_base = [isolator_name(line) for one in isolation.isolators for line in one.under(lines, grid)]
             beside = (one for one in isolation.beside if self._along in one.axes)
-            of_base += [base_device_name(line) for one in beside for line in one.under(lines)]
+            of_base += [base_device_name(line) for one in beside for line in one.under(lines, grid)]
         draw_to_scale(axes, self, bases, of_base, self.width)
 
     def damper(self, name: str) -> DamperDrawing | None:
@@ -155,7 +156,7 @@ class BuildingElevation:
         """Lines and places of the column bases of the frame, and whether each is fixed, pinned or on springs in it."""
         found = []
         for line, storey in self.building.layout.column_at:
-            frame = frame_name(self._along, line.frame(self._along))
+            frame = frame_name(self._along, line.frame(self._along), line.axes)
             if storey == 1 and frame == self.name:
                 support = self.building.support(line)
                 turn = getattr(support, "ry" if self._along == "x" else "rx", "footing")

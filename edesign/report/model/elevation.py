@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import count, groupby, pairwise
@@ -10,6 +9,7 @@ from itertools import count, groupby, pairwise
 import numpy as np
 
 from edesign.project.frame.frame import Frame
+from edesign.project.notation.axes import COLUMN_LINE
 from edesign.report.drawing.text_size import text_size
 from edesign.report.model.boxes import Spot
 from edesign.report.model.sheet import FAINT, SMALLEST, SOFT, TEXT, Point, Sheet
@@ -21,7 +21,6 @@ LEAST_BAY, LEAST_STOREY = 0.75, 0.5  # inches, for which frames of another shape
 DIMENSIONS, TOTAL, NAMES = 0.5, 0.69, 0.9  # of rows below the base, inches
 HEIGHTS, LEVELS = 0.3, 0.42  # of columns left of the frame
 FRAME = 0.16  # of the names of frames that stand in a row, inches above them
-_OF_GRID = re.compile("([A-Z]+)([0-9]+)")
 LEANING = 0.5  # of the last bay, from the frame to its leaning column
 BUBBLE = 0.11
 BELOW, ROW = 0.62, 0.3  # of the names of axes and of the spans of a plan, inches beside it
@@ -164,7 +163,7 @@ def name_of_frame(names: Sequence[str]) -> str:
     Returns:
         The name; "" where the lines have no grid line in common.
     """
-    found = [_OF_GRID.fullmatch(name) for name in names]
+    found = [COLUMN_LINE.fullmatch(name) for name in names]
     letters, numbers = ({of[k] for of in found if of is not None} for k in (1, 2))
     if len(names) < 2 or None in found or 1 not in (len(letters), len(numbers)):
         return ""

@@ -155,7 +155,7 @@ def draw_isolation(
     yield Entry(f"isolated base: {beams}", lambda on, x, y: on.line((x, y), (x + 0.25, y), color=SOFT, width=3.0))
     shifts: dict[str, int] = {}
     for item in (*isolation.isolators, *isolation.beside):
-        color, lines = colors[item.law], item.under(tuple(at))
+        color, lines = colors[item.law], item.under(tuple(at), project.grid)
         carries = isinstance(item, AnyIsolator)
         if not lines or (along and along not in item.axes):
             continue

@@ -67,15 +67,17 @@ def _hinged(layout: Layout) -> frozenset[tuple[str, int]]:
 def _slabs(layout: Layout, order: dict[str, int]) -> tuple[tuple[tuple[int, int, int, int], ...], ...]:
     found = []
     for floor, panels in sorted(layout.floors.items()):
-        around = [[order.get(node_name(line, floor), -1) for line in corners(panel)] for panel in sorted(panels)]
+        around = [
+            [order.get(node_name(line, floor), -1) for line in corners(panel, layout.axes)] for panel in sorted(panels)
+        ]
         found.append(tuple((a, b, d, c) for a, b, c, d in around if min(a, b, c, d) >= 0))
     return tuple(found)
 
 
 def _grid(building: Building) -> tuple[tuple[str, Place, Place], ...]:
-    x, y = (building.coordinates(along) for along in DIRECTIONS)
-    across = [(line_label("y", i), (at, y[0], 0.0), (at, y[-1], 0.0)) for i, at in enumerate(x)]
-    return tuple(across + [(line_label("x", j), (x[0], at, 0.0), (x[-1], at, 0.0)) for j, at in enumerate(y)])
+    (x, y), axes = (building.coordinates(along) for along in DIRECTIONS), building.axes
+    across = [(line_label("y", i, axes), (at, y[0], 0.0), (at, y[-1], 0.0)) for i, at in enumerate(x)]
+    return tuple(across + [(line_label("x", j, axes), (x[0], at, 0.0), (x[-1], at, 0.0)) for j, at in enumerate(y)])
 
 
 def _support_name(support: Springs | FootingSupport) -> str:
@@ -107,7 +109,7 @@ class _Points:
             return None
         kind, axis, label, bay, storey, way = found
         along: Direction = "x" if axis == "X" else "y"
-        frames = [line_label(along, i) for i in range(self._building.n_frames(along))]
+        frames = [line_label(along, i, self._building.axes) for i in range(self._building.n_frames(along))]
         if label not in frames:
             return None
         place = along, frames.index(label), bay
@@ -152,7 +154,7 @@ class _Points:
         return Hung(self._nodes[name], (number, number), 0.0)
 
     def _corners(self, along: Direction, frame: int, bay: int, floor: int) -> tuple[Hung | None, Hung | None]:
-        left, right = bay_lines(along, frame, bay)
+        left, right = bay_lines(along, frame, bay, self._building.axes)
         return self._at(left, floor), self._at(right, floor)
 
     def _at(self, line: ColumnLine, floor: int) -> Hung | None:
@@ -160,7 +162,7 @@ class _Points:
 
     def _middle(self, along: Direction, frame: int, bay: int, floor: int) -> Hung | None:
         """The middle of a beam, or between two column bases."""
-        found = self._of_node(str(BeamPlace(along, frame, bay, floor)))
+        found = self._of_node(str(BeamPlace(along, frame, bay, floor, self._building.axes)))
         left, right = self._corners(along, frame, bay, floor)
         if found is not None or left is None or right is None:
             return found

@@ -19,6 +19,7 @@ from edesign.errors import EdesignError
 from edesign.optional_stages import optional
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.building.building import Building
+from edesign.project.notation.axes import LETTERED, NUMBERED
 from edesign.project.project import Project
 from edesign.project.study.study import Study
 from edesign.report.archive_view import entry, planned, results
@@ -37,7 +38,7 @@ if TYPE_CHECKING:
 
 Figures = Callable[[Archive], Iterator[tuple[str, str, "Figure"]]]
 MOST_ALIKE = 4  # drawings of the model of a kind, such as plans, that are shown at once
-_END = re.compile("[0-9A-Z]?[0-9]*$")  # of names such as plan_3, model_X2 and model_YA
+_END = re.compile(rf"(?:(?<=[_XY])(?:{LETTERED}|{NUMBERED}))?$")  # of names such as plan_3, model_X2 and model_YA
 ALONG_TIME = ("time", "motion_time", "matched_time", "step")
 
 

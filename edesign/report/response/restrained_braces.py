@@ -8,7 +8,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.assess.envelopes import peak
-from edesign.project.notation.names import line_index, line_name
+from edesign.project.notation.names import line_index, line_name, plain_line
 from edesign.report.drawing.captions import some_names
 from edesign.report.response.histories import groups_alike, names_of
 from edesign.report.tables.column import col, text
@@ -165,7 +165,7 @@ def _lines(columns: Sequence[tuple[str, str]]) -> list[str]:
 
     Letters say their place. Of other names those of the storey with most columns stand in their order.
     """
-    if all(line.isalpha() for line, _ in columns):
+    if all(plain_line(line) for line, _ in columns):
         return [line_name(i) for i in range(1 + max((line_index(line) for line, _ in columns), default=0))]
     storeys: dict[str, list[str]] = {}
     for line, storey in columns:

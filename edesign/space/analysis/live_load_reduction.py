@@ -123,7 +123,7 @@ def loaded_areas(building: Building, category: str) -> dict[BeamPlace, float]:
             for panel in wanted & building.layout.floors[floor]:
                 width_x, width_y = widths_x[panel[0] - 1], widths_y[panel[1] - 1]
                 of = bay_shares(1.0, width_x, width_y, load.spans, load.secondary_beams)
-                for place in edges(panel, floor):
+                for place in edges(panel, floor, building.axes):
                     area = of.along_x.total(width_x) if place.along == "x" else of.along_y.total(width_y)
                     areas[place, panel] = max(areas.get((place, panel), 0.0), area)
     found: dict[BeamPlace, float] = {}

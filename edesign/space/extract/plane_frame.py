@@ -51,12 +51,13 @@ class PlaneFrame:
     @property
     def name(self) -> str:
         """Name of the frame by direction and number of its grid line."""
-        return frame_name(self.along, self.number)
+        return frame_name(self.along, self.number, self.building.axes)
 
     @cached_property
     def lines(self) -> tuple[ColumnLine, ...]:
         """Column lines of the frame, from its beginning."""
-        bays = [bay_lines(self.along, self.number, bay + 1) for bay in range(self.building.n_bays(self.along))]
+        axes, n_bays = self.building.axes, self.building.n_bays(self.along)
+        bays = [bay_lines(self.along, self.number, bay + 1, axes) for bay in range(n_bays)]
         return (bays[0][0], *(end for _, end in bays))
 
     @cached_property
@@ -241,11 +242,13 @@ def plane_frame(building: Building, space: SpaceFrame, name: str) -> PlaneFrame:
     Raises:
         InputError: there is no such frame.
     """
+    asked = name.strip()
     for along in DIRECTIONS:
         for number in range(building.n_frames(along)):
-            if name.strip().upper() == frame_name(along, number):
+            if asked in (own := frame_name(along, number, building.axes), own.upper()):
                 return PlaneFrame(building, space, along, number)
-    known = " and ".join(f"{frame_name(a, 0)} to {frame_name(a, building.n_frames(a) - 1)}" for a in DIRECTIONS)
+    names = {a: [frame_name(a, i, building.axes) for i in range(building.n_frames(a))] for a in DIRECTIONS}
+    known = " and ".join(f"{of[0]} to {of[-1]}" for of in names.values())
     raise InputError(
         f"{building.path}: there is no frame `{name}`; the frames are {known}; X and Y are all of a direction"
         " [E-NAME-01]"

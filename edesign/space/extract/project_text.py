@@ -104,7 +104,7 @@ class _ProjectText:
         text.append("# Lines and columns have their names in the building, beams count from the left.")
         n_bays = len(row.frames[0].lines) - 1
         for frame, start in zip(row.frames, row.starts, strict=True):
-            beam = str(BeamPlace(row.along, frame.number, 1, 1))
+            beam = str(BeamPlace(row.along, frame.number, 1, 1, row.building.axes))
             if row.alone is not None:
                 text.append(f"# Beam B_1_1 is {beam}, and so are the others.")
             else:

@@ -224,7 +224,10 @@ def _bays(row: FrameRow) -> str:
             for bay in range(1, len(frame.lines))
             if bay not in braced
             and all((i, storey) in frame.columns for i in (bay - 1, bay) for storey in storeys)
-            and all(BeamPlace(frame.along, frame.number, bay, floor) in frame.beams for floor in storeys)
+            and all(
+                BeamPlace(frame.along, frame.number, bay, floor, frame.building.axes) in frame.beams
+                for floor in storeys
+            )
         ]
         free += [(of_frame[0], of_frame[-1])] if of_frame and frame.resists else []
     if not free:

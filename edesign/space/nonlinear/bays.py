@@ -24,15 +24,17 @@ def building_sites(building: Building) -> DamperSites:
     Args:
         building: from `load_building`, with its steels as written.
     """
-    frames = {frame_name(along, i): (along, i) for along in DIRECTIONS for i in range(building.n_frames(along))}
+    axes = building.axes
+    frames = {frame_name(along, i, axes): (along, i) for along in DIRECTIONS for i in range(building.n_frames(along))}
 
     def bay(at: BayPlace) -> Bay:
         along, frame = frames[at.frame]
         (low_left, top_left), (low_right, top_right) = (
-            (node_name(line, at.storey - 1), node_name(line, at.storey)) for line in bay_lines(along, frame, at.bay)
+            (node_name(line, at.storey - 1), node_name(line, at.storey))
+            for line in bay_lines(along, frame, at.bay, axes)
         )
         width, height = building.widths(along)[at.bay - 1], building.storey_heights[at.storey - 1]
-        middle = str(BeamPlace(along, frame, at.bay, at.storey))
+        middle = str(BeamPlace(along, frame, at.bay, at.storey, axes))
         return Bay((low_left, low_right), (top_left, top_right), middle, width, height, DIRECTIONS.index(along))
 
     def bar(brace: BraceSection, length: float, damper: Keys) -> tuple[float, Strut | None]:

@@ -78,7 +78,7 @@ def _at(frame: SpaceFrame, number: int) -> int:
 def _corners(building: Building, floor: int) -> Iterator[ColumnLine]:
     """Where the outlines of a floor turn, and those of its rigid parts."""
     for panels in dict.fromkeys((*parts_of(building.layout.floors[floor]), *building.rigid_parts(floor))):
-        yield from (ColumnLine(*corner) for corner in corners(panels))
+        yield from (ColumnLine(*corner, building.axes) for corner in corners(panels))
 
 
 def _part(frame: SpaceFrame, number: int, master: int) -> RigidPart:
@@ -152,5 +152,5 @@ def _torque(holding: Sequence[Member], arms: np.ndarray) -> Terms:
 def _drift(nodes: Mapping[str, int], line: ColumnLine, storey: int, height: float, direction: Direction) -> DriftLine:
     above, below = (nodes[node_name(line, floor)] for floor in (storey, storey - 1))
     ratio = ((1.0 / height, above, direction.degree), (-1.0 / height, below, direction.degree))
-    frames = (frame_name("x", line.j),) if direction.name == "x" else (frame_name("y", line.i),)
+    frames = (frame_name("x", line.j, line.axes) if direction.name == "x" else frame_name("y", line.i, line.axes),)
     return DriftLine(str(line), ratio, frames)

@@ -114,9 +114,9 @@ def add_building_base_beams(building: Building, isolation: Isolation, model: Mod
     section = model.elastic_section(steel.E * shape.A, steel.E * shape.I_z, steel.E * shape.I_y, G * shape.I_t)
     for along in DIRECTIONS:
         for frame in range(building.n_frames(along)):
-            last = ""
-            lines = [bay_lines(along, frame, 1)[0]]
-            lines += [bay_lines(along, frame, bay + 1)[1] for bay in range(building.n_bays(along))]
+            last, axes = "", building.axes
+            lines = [bay_lines(along, frame, 1, axes)[0]]
+            lines += [bay_lines(along, frame, bay + 1, axes)[1] for bay in range(building.n_bays(along))]
             for name in (node_name(line, 0) for line in lines):
                 if name not in nodes:
                     continue
@@ -128,7 +128,7 @@ def add_building_base_beams(building: Building, isolation: Isolation, model: Mod
 
 def _directions(building: Building, isolation: Isolation, line: str, fixed_base: bool) -> tuple[Direction, ...]:
     """What supports the degrees of a column base; of a line without isolator, which is free in plan, its support."""
-    isolator = isolator_under(isolation, line)
+    isolator = isolator_under(isolation, line, building.grid)
     in_plan: tuple[Direction, Direction] = ("fixed", "fixed") if fixed_base else _FREE_IN_PLAN
     turn: Direction = "free" if isolation.base.beams is not None else isolation.base.rotation or "free"
     about: Direction = "fixed" if fixed_base else "free"
@@ -151,7 +151,7 @@ def _areas(building: Building) -> dict[str, float]:
     bases = building.layout.node_lines[0]
     found = {node_name(line, 0): 0.0 for line in bases}
     for panel in sorted(building.layout.floors[1]):
-        carrying: Sequence = [line for line in corners(panel) if line in bases] or bases
+        carrying: Sequence = [line for line in corners(panel, building.axes) if line in bases] or bases
         area = building.widths("x")[panel[0] - 1] * building.widths("y")[panel[1] - 1]
         for line in carrying:
             found[node_name(line, 0)] += area / len(carrying)

@@ -52,7 +52,7 @@ def beams_at(building: Building, line: ColumnLine, floor: int, directions: Itera
     found = []
     for along in directions:
         frame, at = (line.j, line.i) if along == "x" else (line.i, line.j)
-        places = (BeamPlace(along, frame, bay, floor) for bay in (at, at + 1))
+        places = (BeamPlace(along, frame, bay, floor, building.axes) for bay in (at, at + 1))
         found += [place for place in places if place in building.layout.beam_at]
     return found
 

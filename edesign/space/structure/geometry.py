@@ -110,7 +110,7 @@ def _columns(building: Building, ends: Ends) -> list[Member]:
 
 def _frames_of(line: ColumnLine) -> tuple[str, str]:
     """Return the plane frames that a column line stands in."""
-    return frame_name("x", line.j), frame_name("y", line.i)
+    return frame_name("x", line.j, line.axes), frame_name("y", line.i, line.axes)
 
 
 def _beams(building: Building, ends: Ends) -> list[Member]:
@@ -137,7 +137,7 @@ def _beam(place: BeamPlace, run: BeamRun, name: str, nodes: tuple[int, int], at_
         ends=(*_stiffness(at_start), *_stiffness(at_end)),
         stiffness_factor=run.stiffness_factor,
         storey=place.floor,
-        frame=(frame_name(place.along, place.frame),),
+        frame=(frame_name(place.along, place.frame, place.axes),),
         bay=place.bay,
     )
 
@@ -177,6 +177,6 @@ def _brace(place: BracePlace, run: BraceRun, name: str, nodes: tuple[int, int], 
         bracing=run.kind,
         compression=run.in_compression,
         storey=place.storey,
-        frame=(frame_name(place.along, place.frame),),
+        frame=(frame_name(place.along, place.frame, place.axes),),
         bay=place.bay,
     )

@@ -180,7 +180,7 @@ def add_area(
                 continue
             width_x, width_y = widths_x[panel[0] - 1], widths_y[panel[1] - 1]
             shares = bay_shares(value, width_x, width_y, load.spans, load.secondary_beams)
-            for place in edges(panel, floor):
+            for place in edges(panel, floor, building.axes):
                 case.add(place, shares.along_x if place.along == "x" else shares.along_y)
 
 
@@ -192,7 +192,7 @@ def _add_secondary(building: Building, case: LoadSum, load: Areas, weight: float
         for i, j in sorted(panels_in(load.bays, len(widths_x), len(widths_y)) & building.layout.floors[floor]):
             length = widths_y[j - 1] if load.spans == "x" else widths_x[i - 1]
             share = BeamShare(points=tuple((k / parts, 0.5 * weight * length) for k in range(1, parts)))
-            for place in edges((i, j), floor):
+            for place in edges((i, j), floor, building.axes):
                 if place.along == load.spans:
                     case.add(place, share)
 

@@ -50,7 +50,7 @@ def _pulled(
     pulled = []
     for device in isolated.isolators:
         line = next(line for line in grid.lines if grid.node_name(line, 0) == device.column_base)
-        isolator = isolator_under(isolation, line)
+        isolator = isolator_under(isolation, line, grid)
         lifts = isolator is not None and isinstance(isolator.vertical, VerticalSpring) and isolator.vertical.uplift
         if most_of[device.name] > 0.0 and not lifts and device.name not in isolated.weighed:
             pulled.append(device.name)

@@ -276,7 +276,8 @@ def _weights_on_isolators(project: AnalysisFile, laws: Mapping[str, DeviceLaw]) 
     bases = [
         project.grid.node_name(line, 0)
         for line in project.grid.lines
-        if (isolator := isolator_under(isolation, line)) is not None and goes_with_weight(isolator, laws[isolator.law])
+        if (isolator := isolator_under(isolation, line, project.grid)) is not None
+        and goes_with_weight(isolator, laws[isolator.law])
     ]
     if not bases:
         return {}

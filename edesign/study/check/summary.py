@@ -233,7 +233,7 @@ def _building_dampers(building: Building) -> str:
     if building.isolation is not None:
         isolation, bases = building.isolation, [str(line) for line in building.layout.node_lines[0]]
         for what, items in (("isolator", isolation.isolators), ("damper", isolation.beside)):
-            of_base = Counter(item.law for item in items for _ in item.under(bases))
+            of_base = Counter(item.law for item in items for _ in item.under(bases, building.grid))
             parts += [
                 f"{counted(count, what)} `{name}`{' at the base' * (what == 'damper')}"
                 for name, count in of_base.items()
