@@ -151,8 +151,8 @@ def parts_of(panels: frozenset[tuple[int, int]]) -> tuple[frozenset[tuple[int, i
 
 
 def _column_lines(item: Any, at: tuple[int, ...]) -> ColumnLineItem:
-    match = None if isinstance(item, (bool, float)) or not str(item).strip() else _LINES.fullmatch(str(item))
-    if not match or not any(match.groups()) or isinstance(item, (list, tuple, dict)):
+    match = _LINES.fullmatch(str(item)) if isinstance(item, (str, int)) and not isinstance(item, bool) else None
+    if not match or not any(match.groups()):
         raise refuse(
             f"{as_seen(item)} is no selection of column lines; write `all`, `A2`, `A`, `2`, `A1-C2` [E-VALUE-01]", *at
         )

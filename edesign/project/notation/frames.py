@@ -105,7 +105,7 @@ def frames_of_member(name: str) -> tuple[str, ...]:
 
 
 def _frames(item: Any, at: tuple[int, ...]) -> FrameItem:
-    match = None if isinstance(item, (bool, float, list, tuple, dict)) else _FRAME.fullmatch(str(item))
+    match = _FRAME.fullmatch(str(item)) if isinstance(item, (str, int)) and not isinstance(item, bool) else None
     if not match:
         raise refuse(
             f"{as_seen(item)} is no selection of frames; write `all`, `2`, `A`, `A-C` or `[X1, X4]` [E-VALUE-01]", *at

@@ -28,6 +28,7 @@ from edesign.project.building.places import parse_column_lines
 from edesign.project.dampers.dampers import BraceSection
 from edesign.project.dampers.device_names import devices_by_name
 from edesign.project.frame.materials import BilinearMaterial, MenegottoPintoMaterial
+from edesign.project.notation.axes import PLAIN_AXES
 from edesign.project.notation.frames import parse_frames
 from edesign.project.notation.names import member_kind, storey_of
 from edesign.space.check import check_building
@@ -130,7 +131,8 @@ def test_members_by_name_on_a_grid() -> None:
 def test_a_building_with_setbacks() -> None:
     layout = building(IRREGULAR).layout
     assert {floor: len(panels) for floor, panels in layout.floors.items()} == {1: 6, 2: 5, 3: 2}
-    assert ColumnLine(3, 2) in layout.floor_lines[1] and ColumnLine(3, 2) not in layout.floor_lines[2]
+    corner = ColumnLine(3, 2, PLAIN_AXES)
+    assert corner in layout.floor_lines[1] and corner not in layout.floor_lines[2]
     assert sum(count == 1 for count in layout.floor_edges[3].values()) == 6  # the perimeter of one bay by two
 
 
@@ -158,8 +160,9 @@ def test_other_values() -> None:
     with pytest.raises(InputError, match=r"columns\[0\].section.*`HEB260`.*E-NAME-01"):
         other.with_values("columns[0].section", "HEB265")
     larger = tuple(run.model_copy(update={"section": "HEB300"}) for run in other.columns)
-    assert other.layout.column_at[ColumnLine(0, 0), 1].section == "HEB260"
-    assert other.model_copy(update={"columns": larger}).layout.column_at[ColumnLine(0, 0), 1].section == "HEB300"
+    assert other.layout.column_at[ColumnLine(0, 0, PLAIN_AXES), 1].section == "HEB260"
+    copy = other.model_copy(update={"columns": larger})
+    assert copy.layout.column_at[ColumnLine(0, 0, PLAIN_AXES), 1].section == "HEB300"
     assert other.model_copy(update={"storeys": (3.0, 4.0)}).storey_heights == (3.0, 4.0)
     copied = other.model_copy(update={"title": "x"})
     with pytest.raises(InputError, match="title.*E-EDIT-01"):
@@ -179,11 +182,11 @@ def test_other_values() -> None:
     ],
 )
 def test_selections_of_column_lines(written: Any, lines: str) -> None:
-    assert " ".join(map(str, parse_column_lines(written).lines(3, 2))) == lines
+    assert " ".join(map(str, parse_column_lines(written).lines(3, 2, PLAIN_AXES))) == lines
 
 
 @pytest.mark.parametrize(
-    "written", ["", "A1-B", "1-A", "C-A", "B2-A3", "A0", "a1", "A-B-C", None, True, 1.5, [], [[]], {}]
+    "written", ["", "A1-B", "1-A", "A1-", "-", "a1", "A-B-C", None, True, 1.5, [], [[]], {}]
 )
 def test_what_is_no_selection_of_column_lines(written: Any) -> None:
     with pytest.raises(ValueError):
@@ -192,9 +195,10 @@ def test_what_is_no_selection_of_column_lines(written: Any) -> None:
 
 def test_selections_of_frames() -> None:
     assert [item.along for item in parse_frames(["X2", 1, "A-C", "YB"]).items] == ["x", "x", "y", "y"]
-    assert parse_frames("X1-X3").numbers(4) == (0, 1, 2) and parse_frames("all").numbers(2) == (0, 1)
+    assert parse_frames("X1-X3").numbers(4, PLAIN_AXES) == (0, 1, 2)
+    assert parse_frames("all").numbers(2, PLAIN_AXES) == (0, 1)
     assert parse_frames("X").items[0].along == "y"  # the 24th line across x
-    for wrong in ("XA", "Y2", "A-2", "3-1", {}, None, 1.5, []):
+    for wrong in ("XA", "Y2", "A-2", "3-", {}, None, 1.5, []):
         with pytest.raises(ValueError):
             parse_frames(wrong)
 
