@@ -26,7 +26,7 @@ def frame_sites(project: Project) -> DamperSites:
             (names.node_name(line, at.storey - 1), names.node_name(line, at.storey)) for line in lines
         )
         width, height = frame.bay_widths[at.bay - 1], frame.storey_heights[at.storey - 1]
-        middle = names.beam_name(at.bay, at.storey)
+        middle = frame.beam_name(at.bay, at.storey)
         return Bay((low_left, low_right), (top_left, top_right), middle, width, height, ACROSS.degree)
 
     def bar(brace: BraceSection, length: float, damper: Keys) -> tuple[float, Strut | None]:

@@ -111,7 +111,7 @@ def device_places(
     storeys = run.storeys.numbers(1, project.grid.n_storeys)
     for at in project.grid.bay_places(run):
         bay = sites.bay(at)
-        of_names = names.damper_names(run.kind, at.bay, at.storey, at.frame)
+        of_names = project.grid.damper_names(run.kind, at)
         found = _in_bay(run.kind, bay, sites.up, node)
         for name, (terms, length, cosine, braces) in zip(of_names, found, strict=True):
             index = storeys.index(at.storey)

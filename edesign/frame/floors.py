@@ -46,7 +46,7 @@ def frame_storeys(frame: Frame, nodes: Mapping[str, int], members: Mapping[str, 
         element = members[names.column_name(line, storey)].at_end(1)
         shears[storey - 1] += ((1.0, "global_force", element, 3),)
     for bay, storey, way in frame.brace_at:
-        element = members[names.brace_name(bay, storey, way)].element
+        element = members[frame.brace_name(bay, storey, way)].element
         upper_end = 3 if way == "r" else 0
         shears[storey - 1] += ((1.0, "global_force", element, upper_end),)
     return tuple(

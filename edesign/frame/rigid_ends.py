@@ -109,7 +109,7 @@ def _meetings(project: Project) -> Iterator[Meeting]:
         return met(frame.column_at.get((line, storey)) for storey in (floor, floor + 1))
 
     for name, beam in frame.beam_members.items():
-        lines, middle = frame.bay_lines(beam.bay), names.beam_name(beam.bay, beam.floor)
+        lines, middle = frame.bay_lines(beam.bay), frame.beam_name(beam.bay, beam.floor)
         start, end = (
             [] if node == middle else columns(line, beam.floor)
             for node, line in zip((beam.start, beam.end), lines, strict=True)

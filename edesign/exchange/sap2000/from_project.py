@@ -185,7 +185,7 @@ def _supports(project: Project, model: Sap2000Model) -> None:
     bent = {
         node
         for name, ends in frame.ends.items()
-        if not name.startswith("D_")
+        if names.member_kind(name) != "brace"
         for node, free in zip(ends, frame.released.get(name, (False, False)), strict=True)
         if not free
     }

@@ -26,6 +26,7 @@ from edesign.project.frame.spacing import Storeys
 from edesign.project.notation.axes import GridAxes
 from edesign.project.notation.frames import ALL_FRAMES
 from edesign.project.notation.grid import BayPlace, InBays
+from edesign.project.notation.names import damper_names
 
 if TYPE_CHECKING:
     from edesign.project.building.building import Building
@@ -233,6 +234,10 @@ class Layout(Storeys):
         """Return the place of a column line in plan by its name, m."""
         (found,) = self._building.lines_of(parse_column_lines(line))
         return self._building.place(found)
+
+    def damper_names(self, kind: str, place: BayPlace) -> tuple[str, ...]:
+        """Return the names of the dampers of a kind in a bay and storey."""
+        return damper_names(kind, place.bay, place.storey, place.frame)
 
     def node_name(self, line: str, floor: int) -> str:
         """Return the name of the node on a line at a floor, whether it exists or not; floor 0 is the base."""

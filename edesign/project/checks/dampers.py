@@ -233,7 +233,7 @@ def check_beams_met(keys: Keys, run: DamperRun | DesignRun, project: Project, pr
     """
     grid = project.frame
     absent = [
-        names.beam_name(bay, storey)
+        grid.beam_name(bay, storey)
         for storey in run.storeys.numbers(1, grid.n_storeys)
         for bay in run.bays.numbers(1, grid.n_bays)
         if run.kind == "chevron_braces" and (bay, storey) not in grid.beam_at

@@ -13,6 +13,7 @@ from edesign.project.frame.materials import ElasticMaterial
 from edesign.project.frame.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.frame.sections import Catalogue, ElasticSection, PlateSection, no_section
 from edesign.project.notation import names
+from edesign.project.notation.frames import frames_of_line
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, did_you_mean, listed, unknown_name
 
@@ -61,9 +62,16 @@ def check_frame(project: Project, problems: Problems, profiles: Catalogue | None
 
 
 def _axes(frame: Frame, problems: Problems) -> None:
-    if frame.axes is None:
-        return
-    check_axes(("frame", "axes"), frame.axes, frame.n_lines, problems)
+    if frame.axes is not None:
+        check_axes(("frame", "axes"), frame.axes, frame.n_lines, problems)
+    for i, name in enumerate(frame.in_building):
+        if name in frame.in_building[:i]:
+            problems.at_item(("frame", "in_building"), i, f"`{name}` comes twice [E-NAME-02]")
+        there = [number for number, line in enumerate(frame.lines) if name in frames_of_line(line)]
+        if len(there) < 2 or there[-1] - there[0] != len(there) - 1:
+            example = "A2, B2, ..." if name[0] == "X" else "A1, A2, ..."
+            message = f"`axes` has not the column lines of frame {name} beside each other, such as {example}"
+            problems.at_item(("frame", "in_building"), i, f"{message} [E-NAME-01]")
 
 
 def _supports(frame: Frame, problems: Problems) -> None:
@@ -113,7 +121,7 @@ def _covered(frame: Frame, check: Selections) -> bool:
     )
     spans = {p for run in (*frame.beams, *frame.missing.beams) for p in frame.beam_places(run)}
     bays = [(b, f) for f in range(1, frame.n_storeys + 1) for b in range(1, frame.n_bays + 1)]
-    beams = check.without_section(("frame", "beams"), "beam", (names.beam_name(*p) for p in bays if p not in spans))
+    beams = check.without_section(("frame", "beams"), "beam", (frame.beam_name(*p) for p in bays if p not in spans))
     return columns and beams
 
 
@@ -129,7 +137,7 @@ def _met_beams(frame: Frame, problems: Problems) -> None:
     """Every beam that braces meet in the middle is there."""
     for (bay, floor), run in frame.met_beams.items():
         if run is not None and (bay, floor) not in frame.beam_at:
-            beam = f"{names.beam_name(bay, floor)} is missing" if floor else f"bay {bay} has no beam at the base"
+            beam = f"{frame.beam_name(bay, floor)} is missing" if floor else f"bay {bay} has no beam at the base"
             message = f"a `{run.kind}` meets a beam in the middle, and {beam} [E-DAMPER-05]"
             problems.at_value(("frame", "braces", frame.braces.index(run), "kind"), message)
 

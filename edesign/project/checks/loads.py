@@ -5,7 +5,6 @@ from __future__ import annotations
 from edesign.project.actions.beam_loads import MOST_POINTS, breaks_of_members, points_of_member
 from edesign.project.actions.loads import BeamLoad
 from edesign.project.checks.selections import Selections
-from edesign.project.notation import names
 from edesign.project.notation.positions import Position
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems
@@ -39,7 +38,7 @@ def _positions(project: Project, problems: Problems, keys: Keys, load: BeamLoad)
     if not places:
         return
     bay, floor = min(places, key=lambda place: frame.bay_widths[place[0] - 1])
-    shortest, name = frame.bay_widths[bay - 1], names.beam_name(bay, floor)
+    shortest, name = frame.bay_widths[bay - 1], frame.beam_name(bay, floor)
 
     def beyond(position: Position) -> str:
         if position.is_share or position.value <= shortest:
@@ -63,7 +62,7 @@ def _positions(project: Project, problems: Problems, keys: Keys, load: BeamLoad)
         for bay, floor in places:
             width = frame.bay_widths[bay - 1]
             if part.start.share(width) >= part.end.share(width):
-                message = f"on beam {names.beam_name(bay, floor)} the load ends at {part.end}, not after its `start`"
+                message = f"on beam {frame.beam_name(bay, floor)} the load ends at {part.end}, not after its `start`"
                 problems.at_value((*keys, "partial", i, "end"), f"{message} at {part.start} [E-VALUE-04]")
                 break
 

@@ -155,7 +155,7 @@ class Selections(GridSelections):
         """Check that beams that are selected one by one exist."""
         if self.beam_places(keys, chosen) and not (chosen.bays.is_all or chosen.floors.is_all):
             absent = [p for p in self.frame.beam_places(chosen) if p not in self.frame.beam_at]
-            self.absent(keys, "beam", (names.beam_name(*p) for p in absent))
+            self.absent(keys, "beam", (self.frame.beam_name(*p) for p in absent))
 
     def nodes(self, keys: Keys, lines: LineSelection, floors: NumberSelection) -> bool:
         """Check lines and floors, and that nodes that are selected one by one exist."""

@@ -24,7 +24,7 @@ def devices_by_name(grid: Grid, dampers: Dampers | None) -> dict[str, tuple[Devi
             found[names.free_name(names.damper_between_name(*device.nodes), found)] = device, 0
             continue
         for place in grid.bay_places(device):
-            for name in names.damper_names(device.kind, place.bay, place.storey, place.frame):
+            for name in grid.damper_names(device.kind, place):
                 found[names.free_name(name, found)] = device, place.storey
     return found
 
@@ -71,14 +71,10 @@ def names_of_design(grid: Grid, design: Design) -> tuple[str, ...]:
         for kind in kinds
         for run in design.candidates
         for place in grid.bay_places(run)
-        for name in names.damper_names(kind, place.bay, place.storey, place.frame)
+        for name in grid.damper_names(kind, place)
     )
 
 
 def names_of_run(grid: Grid, run: DesignRun) -> tuple[str, ...]:
     """Return the names of the dampers of one kind of a design."""
-    return tuple(
-        name
-        for place in grid.bay_places(run)
-        for name in names.damper_names(run.kind, place.bay, place.storey, place.frame)
-    )
+    return tuple(name for place in grid.bay_places(run) for name in grid.damper_names(run.kind, place))

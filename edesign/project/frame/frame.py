@@ -7,7 +7,7 @@ import re
 from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import accumulate
+from itertools import accumulate, pairwise
 from typing import Annotated, Any
 
 from pydantic import PrivateAttr
@@ -18,6 +18,8 @@ from edesign.project.frame.members import BeamPlaces, BeamRun, BraceRun, ColumnP
 from edesign.project.frame.spacing import EqualBays, EqualStoreys, Heights, Storeys, Widths, widths
 from edesign.project.frame.supports import Support, SupportKind, SupportSprings
 from edesign.project.notation import names
+from edesign.project.notation.axes import LETTERED, NUMBERED
+from edesign.project.notation.frames import frames_of_line
 from edesign.project.notation.grid import BayPlace, InBays
 from edesign.project.notation.selections import NO_NUMBERS, LineSelection, NumberSelection, NumbersOrNone
 from edesign.project.notation.written import Written, text
@@ -55,6 +57,18 @@ def _axis(value: Any) -> Any:
 Axis = Annotated[str, Written(_axis, text("name of a column line", names.LINE, "A1", "B"))]
 
 
+def _building_frame(value: Any) -> Any:
+    if not isinstance(value, str) or not re.fullmatch(_BUILDING_FRAME, value):
+        raise refuse(f"{as_seen(value)} names no frame of a building; write `X2` or `YA` [E-VALUE-01]")
+    return value
+
+
+_BUILDING_FRAME = rf"X{NUMBERED}|Y{LETTERED}"
+BuildingFrame = Annotated[
+    str, Written(_building_frame, text("name of a frame of a building", _BUILDING_FRAME, "X2", "YA"))
+]
+
+
 class Frame(Storeys, Model):
     """A plane frame on a grid of bays and storeys.
 
@@ -67,6 +81,8 @@ class Frame(Storeys, Model):
         storeys: heights of the storeys from the bottom, as a list, or `{count, height}` for equal ones,
             which may also stand in a list.
         axes: names of the column lines from the left, as plans have them; without the key A, B, ...
+        in_building: frames of a building that it has from the left, such as `[X1]`, with `axes` of the building; beams,
+            braces and dampers then have their names there, BX_1_2_5. `edesign extract` writes it.
         supports: support of all columns, or a mapping by line; lines that it does not name take its `default`, else
             `fixed`.
         diaphragms: floors whose nodes share their horizontal displacement.
@@ -81,6 +97,7 @@ class Frame(Storeys, Model):
     bays: Annotated[Widths | EqualBays, OneOf()]
     storeys: Annotated[Heights | EqualStoreys, OneOf()]
     axes: tuple[Axis, ...] | None = None
+    in_building: tuple[BuildingFrame, ...] = ()
     supports: Annotated[SupportKind | dict[str, Support], OneOf()] = "fixed"
     diaphragms: NumbersOrNone = NO_NUMBERS
     columns: tuple[ColumnRun, ...]
@@ -207,7 +224,7 @@ class Frame(Storeys, Model):
             if first == last:
                 found[first] = BeamMember(bay, floor, left, right, width)
                 continue
-            middle = names.beam_name(bay, floor)
+            middle = self.beam_name(bay, floor)
             found[first] = BeamMember(bay, floor, left, middle, 0.5 * width)
             found[last] = BeamMember(bay, floor, middle, right, 0.5 * width)
         return found
@@ -220,8 +237,58 @@ class Frame(Storeys, Model):
             floor: number of the floor; 0 is the base.
         """
         if (bay, floor) in self.met_beams:
-            return names.beam_half_names(bay, floor)
-        return (names.beam_name(bay, floor),) * 2
+            return names.beam_half_names(*self._named(bay, floor))
+        return (self.beam_name(bay, floor),) * 2
+
+    @cached_property
+    def bays_in_building(self) -> dict[int, tuple[str, int]]:
+        """The frame of the building in which a bay is, and its number there, by its number here.
+
+        Bays between two frames, or to a line of no frame of the building, are in none.
+        """
+        found = {}
+        of_lines = [set(frames_of_line(line)) for line in self.lines]
+        for frame in self.in_building:
+            first = next((i for i, frames in enumerate(of_lines) if frame in frames), 0)
+            for bay, (left, right) in enumerate(pairwise(of_lines), 1):
+                if frame in left & right:
+                    found[bay] = frame, bay - first
+        return found
+
+    def _named(self, bay: int, level: int) -> tuple[int, int, str]:
+        """The number of a bay in names, the floor or storey, and the frame of the building that names have."""
+        frame, number = self.bays_in_building.get(bay, ("", bay))
+        return number, level, frame
+
+    def beam_name(self, bay: int, floor: int) -> str:
+        """Return the name of the beam in a bay at a floor: B_2_5, of a frame of a building BX_1_2_5.
+
+        Args:
+            bay: number of the bay, from 1.
+            floor: number of the floor; 0 is the base.
+        """
+        return names.beam_name(*self._named(bay, floor))
+
+    def brace_name(self, bay: int, storey: int, way: str) -> str:
+        """Return the name of a brace: D_2_5_r, of a frame of a building DX_1_2_5_r.
+
+        Args:
+            bay: number of the bay, from 1.
+            storey: number of the storey, from 1.
+            way: r for rising, f for falling.
+        """
+        number, level, frame = self._named(bay, storey)
+        return names.brace_name(number, level, way, frame)
+
+    def damper_names(self, kind: str, place: BayPlace) -> tuple[str, ...]:
+        """Return the names of the dampers of a kind in a bay and storey: V_2_5, of a frame of a building VX_1_2_5."""
+        return names.damper_names(kind, *self._named(place.bay, place.storey))
+
+    def bay_named(self, frame: str, bay: int) -> int | None:
+        """Return the number of a bay here by a frame of the building and its number there; None: it is not here."""
+        if not frame:
+            return bay if 1 <= bay <= self.n_bays and bay not in self.bays_in_building else None
+        return next((here for here, there in self.bays_in_building.items() if there == (frame, bay)), None)
 
     def brace_nodes(self, bay: int, storey: int, way: str) -> tuple[str, str]:
         """Return the names of the left and the right node of a brace.
@@ -234,8 +301,8 @@ class Frame(Storeys, Model):
         left, right = self.bay_lines(bay)
         kind = self.brace_at[bay, storey, way].kind
         below, above = (left, right) if way == "r" else (right, left)
-        low = names.beam_name(bay, storey - 1) if kind == "v" else names.node_name(below, storey - 1)
-        high = names.beam_name(bay, storey) if kind == "chevron" else names.node_name(above, storey)
+        low = self.beam_name(bay, storey - 1) if kind == "v" else names.node_name(below, storey - 1)
+        high = self.beam_name(bay, storey) if kind == "chevron" else names.node_name(above, storey)
         return (low, high) if way == "r" else (high, low)
 
     @cached_property
@@ -262,7 +329,7 @@ class Frame(Storeys, Model):
             for i, line in enumerate(self.lines):
                 grid[names.node_name(line, floor)] = (self.x[i], y)
                 if i < self.n_bays:
-                    grid[names.beam_name(i + 1, floor)] = (0.5 * (self.x[i] + self.x[i + 1]), y)
+                    grid[self.beam_name(i + 1, floor)] = (0.5 * (self.x[i] + self.x[i + 1]), y)
         return {name: place for name, place in grid.items() if name in used}
 
     @cached_property
@@ -274,7 +341,7 @@ class Frame(Storeys, Model):
         found: dict[str, ColumnRun | BeamRun | BraceRun] = {}
         found.update({names.column_name(*place): run for place, run in self.column_at.items()})
         found.update({name: self.beam_at[beam.bay, beam.floor] for name, beam in self.beam_members.items()})
-        found.update({names.brace_name(*place): run for place, run in self.brace_at.items()})
+        found.update({self.brace_name(*place): run for place, run in self.brace_at.items()})
         return found
 
     @cached_property
@@ -285,7 +352,7 @@ class Frame(Storeys, Model):
             nodes = names.node_name(line, storey - 1), names.node_name(line, storey)
             found[names.column_name(line, storey)] = nodes
         found |= {name: (beam.start, beam.end) for name, beam in self.beam_members.items()}
-        found |= {names.brace_name(*place): self.brace_nodes(*place) for place in self.brace_at}
+        found |= {self.brace_name(*place): self.brace_nodes(*place) for place in self.brace_at}
         return found
 
     def lines_in(self, name: str) -> tuple[str, ...]:

@@ -96,5 +96,8 @@ class Grid(Protocol):
     def bay_places(self, chosen: InBays) -> Iterator[BayPlace]:
         """Yield the places of what stands in bays, storey by storey."""
 
+    def damper_names(self, kind: str, place: BayPlace) -> tuple[str, ...]:
+        """Return the names of the dampers of a kind in a bay and storey."""
+
     def node_name(self, line: str, floor: int) -> str:
         """Return the name of the node on a column line at a floor; floor 0 is the base."""

@@ -63,17 +63,23 @@ def column_name(line: str, storey: int) -> str:
     return f"C_{line}_{storey}"
 
 
-def beam_name(bay: int, floor: int) -> str:
-    """Return the name of the beam in a bay at a floor: B_2_5.
+def _in_bay(kind: str, bay: int, level: int, frame: str) -> str:
+    """What stands in a bay at a floor or in a storey: B_2_5, or BX_1_2_5 in frame X1 of a building."""
+    return f"{kind}{frame[:1]}_{frame[1:]}_{bay}_{level}" if frame else f"{kind}_{bay}_{level}"
+
+
+def beam_name(bay: int, floor: int, frame: str = "") -> str:
+    """Return the name of the beam in a bay at a floor: B_2_5, of a building BX_1_2_5.
 
     Args:
         bay: number of the bay, from 1.
         floor: number of the floor; 0 is the base.
+        frame: name of the plane frame of a building, such as X1; "" of none.
     """
-    return f"B_{bay}_{floor}"
+    return _in_bay("B", bay, floor, frame)
 
 
-def beam_half_names(bay: int, floor: int) -> tuple[str, str]:
+def beam_half_names(bay: int, floor: int, frame: str = "") -> tuple[str, str]:
     """Return the names of the halves of a beam that braces meet in the middle: B_2_5_1, B_2_5_2.
 
     The node between them is named B_2_5.
@@ -81,8 +87,9 @@ def beam_half_names(bay: int, floor: int) -> tuple[str, str]:
     Args:
         bay: number of the bay, from 1.
         floor: number of the floor; 0 is the base.
+        frame: name of the plane frame of a building, such as X1; "" of none.
     """
-    name = beam_name(bay, floor)
+    name = beam_name(bay, floor, frame)
     return f"{name}_1", f"{name}_2"
 
 
@@ -100,7 +107,7 @@ def damper_names(kind: str, bay: int, storey: int, frame: str = "") -> tuple[str
         frame: name of the plane frame of a building, such as X1; "" of a project.
     """
     letter = {"chevron": "V", "chevron_braces": "V", "rising": "R", "falling": "F", "storey": "S"}[kind]
-    name = f"{letter}{frame[:1]}_{frame[1:]}_{bay}_{storey}" if frame else f"{letter}_{bay}_{storey}"
+    name = _in_bay(letter, bay, storey, frame)
     return (f"{name}_r", f"{name}_f") if kind == "chevron_braces" else (name,)
 
 
@@ -195,11 +202,27 @@ def free_name(name: str, taken: Collection[str]) -> str:
     return chosen
 
 
-def brace_name(bay: int, storey: int, direction: str) -> str:
+def brace_name(bay: int, storey: int, direction: str, frame: str = "") -> str:
     """Return the name of the brace in a bay and storey, rising (r) or falling (f) from left to right: D_2_5_r.
 
     Args:
         bay: number of the bay, from 1.
         storey: number of the storey, from 1.
+        frame: name of the plane frame of a building, such as X1; "" of none.
     """
-    return f"D_{bay}_{storey}_{direction}"
+    return f"{_in_bay('D', bay, storey, frame)}_{direction}"
+
+
+def bay_of(name: str) -> tuple[str, int, int, str] | None:
+    """Return the frame, bay, storey or floor, and way of what stands in a bay, by its name; None of other names.
+
+    They are ("", 2, 5, "") of B_2_5, and ("X1", 2, 5, "r") of DX_1_2_5_r or VX_1_2_5_r.
+
+    Args:
+        name: of a beam, brace or damper.
+    """
+    kind, *parts = name.split("_")
+    frame = f"{kind[1:]}{parts.pop(0)}" if len(kind) == 2 and len(parts) > 2 else ""
+    if len(parts) < 2 or kind[0] not in "BDVRFS" or not (parts[0].isdigit() and parts[1].isdigit()):
+        return None
+    return frame, int(parts[0]), int(parts[1]), parts[2] if parts[2:3] in (["r"], ["f"]) else ""

@@ -95,7 +95,7 @@ class FrameElevation:
             x = frame.x[frame.lines.index(line)]
             found[names.column_name(line, storey)] = ((x, frame.levels[storey - 1]), (x, frame.levels[storey]))
         ends = {name: (beam.start, beam.end) for name, beam in frame.beam_members.items()}
-        ends |= {names.brace_name(*place): frame.brace_nodes(*place) for place in frame.brace_at}
+        ends |= {frame.brace_name(*place): frame.brace_nodes(*place) for place in frame.brace_at}
         return found | {name: (frame.nodes[start], frame.nodes[end]) for name, (start, end) in ends.items()}
 
     def damper(self, name: str) -> DamperDrawing | None:
@@ -105,13 +105,14 @@ class FrameElevation:
         if kind == "N":
             known = first in frame.nodes and second in frame.nodes
             return straight_damper(frame.nodes[first], frame.nodes[second]) if known else None
-        if kind not in _SHAPES or not (first.isdigit() and second.isdigit()):
+        if kind[0] not in _SHAPES or (place := names.bay_of(name)) is None:
             return None
-        bay, storey = int(first), int(second)
-        if not (1 <= bay <= frame.n_bays and 1 <= storey <= frame.n_storeys):
+        of_building, number, storey, way = place
+        bay = frame.bay_named(of_building, number)
+        if bay is None or not 1 <= storey <= frame.n_storeys:
             return None
         left, right, low, high = frame.x[bay - 1], frame.x[bay], frame.levels[storey - 1], frame.levels[storey]
-        return damper_in_bay(kind, left, right, low, high, name[-1] if name.endswith(("_r", "_f")) else "")
+        return damper_in_bay(kind[0], left, right, low, high, way)
 
     def draw(self, axes: Axes, dampers: Sequence[str], isolated: bool = False) -> None:
         """Draw the frame to scale; its isolators are among the dampers.

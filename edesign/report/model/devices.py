@@ -59,7 +59,7 @@ class DevicesOnSheet:
             found = [names.damper_between_name(*run.nodes)]
         else:
             places = self.project.grid.bay_places(run)
-            found = [name for at in places for name in names.damper_names(run.kind, at.bay, at.storey, at.frame)]
+            found = [name for at in places for name in self.project.grid.damper_names(run.kind, at)]
         for name in found:
             drawing = self.drawing(name)
             if drawing is not None:

@@ -30,7 +30,7 @@ def draw_masses(sheet: Sheet, place: Elevation, project: Project) -> list[str]:
     frame = project.frame
     of_node, at_base = node_masses(project), base_masses(project)
     floors = {names.node_name(line, f): f for line in frame.lines for f in range(frame.n_storeys + 1)}
-    floors |= {names.beam_name(b, f): f for b in range(1, frame.n_bays + 1) for f in range(frame.n_storeys + 1)}
+    floors |= {frame.beam_name(b, f): f for b in range(1, frame.n_bays + 1) for f in range(frame.n_storeys + 1)}
     mass = [0.0] * (frame.n_storeys + 1)
     for name, value in (*of_node.items(), *at_base.items()):
         mass[floors[name]] += value

@@ -8,7 +8,6 @@ from itertools import groupby
 
 from edesign.project.frame.frame import Frame
 from edesign.project.frame.members import BeamRun, BraceRun, ColumnRun
-from edesign.project.notation import names
 from edesign.project.project import Project
 from edesign.report.drawing.frame_drawing import FrameElevation
 from edesign.report.model.boxes import Spot
@@ -39,7 +38,7 @@ def draw_frame_members(sheet: Sheet, place: Elevation, project: Project, faint: 
             sheet.block(0.5 * (x0 + x1), y0, abs(x1 - x0), 0.02)
     kinds: dict[str, list[tuple[Point, Point]]] = {}
     for at, run in frame.brace_at.items():
-        kinds.setdefault(_brace_kind(run), []).append(lines[names.brace_name(*at)])
+        kinds.setdefault(_brace_kind(run), []).append(lines[frame.brace_name(*at)])
     for kind, ends in kinds.items():
         style = {"buckling": _BUCKLES, "tension": _TENSION}.get(kind, "-")
         sheet.lines(ends, color, 0.8 if faint else 1.1, ls=style)

@@ -89,7 +89,7 @@ def member_curve(geometry: Geometry, member: str, motion: np.ndarray, scale: flo
     places = np.array(list(geometry.nodes.values()))
     axis = places[end] - places[start]
     first, last = (places[i] + scale * motion[i, : axis.size] for i in (start, end))
-    hinged = [member.startswith("D_") or (member, at) in geometry.hinged for at in (0, 1)]
+    hinged = [member[:1] == "D" or (member, at) in geometry.hinged for at in (0, 1)]
     tangents = [_turned(axis, scale * motion[i, axis.size :]) for i in (start, end)]
     if all(hinged):
         tangents = [last - first] * 2

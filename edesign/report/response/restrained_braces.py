@@ -8,7 +8,8 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.assess.envelopes import peak
-from edesign.project.notation.names import line_index, line_name, plain_line
+from edesign.project.notation.frames import frames_of_line
+from edesign.project.notation.names import bay_of, beam_name, line_index, line_name, plain_line
 from edesign.report.drawing.captions import some_names
 from edesign.report.response.histories import groups_alike, names_of
 from edesign.report.tables.column import col, text
@@ -146,18 +147,18 @@ def _beams(group: Group) -> Iterator[Row]:
     braces, heights = {brace.name: brace.number for brace in _braces(group)}, _values(group, "storey_height")
     tension, compression = (_values(group, f"damper_adjusted_{side}") for side in ("tension", "compression"))
     for name, i in braces.items():
-        kind, bay, storey, *way = name.split("_")
-        other = braces.get(f"V_{bay}_{storey}_f")
-        if kind != "V" or way != ["r"] or other is None:
+        other = braces.get(f"{name[:-2]}_f")
+        if not (place := bay_of(name)) or name[0] != "V" or place[3] != "r" or other is None:
             continue
+        frame, bay, storey, _ = place
         length = float(_values(group, "damper_length")[i])
-        sine = float(heights[int(storey) - 1]) / length
+        sine = float(heights[storey - 1]) / length
         cosine = float(np.sqrt(1.0 - sine**2))
         # whichever of the two is compressed
         up = max(compression[i] - tension[other], compression[other] - tension[i]) * sine
         along = max(compression[i] + tension[other], compression[other] + tension[i]) * cosine
         moment = up * 2.0 * length * cosine / 4.0
-        yield {"beam": f"B_{bay}_{storey}", "up": up, "along": along, "moment": moment}
+        yield {"beam": beam_name(bay, storey, frame), "up": up, "along": along, "moment": moment}
 
 
 def _lines(columns: Sequence[tuple[str, str]]) -> list[str]:
@@ -191,12 +192,13 @@ def _columns(group: Group) -> Iterator[Row]:
         down[line, floor] = down.get((line, floor), np.zeros(2)) + forces
 
     for brace in _braces(group):
-        i, (kind, *place) = brace.number, brace.name.split("_")
-        if kind == "N":
+        i, kind, place = brace.number, brace.name[0], bay_of(brace.name)
+        if place is None:
             continue
-        bay, storey = int(place[0]), int(place[1])
-        left, right = lines[bay - 1], lines[bay]
-        rises = kind == "R" or (kind == "V" and place[2] == "r")
+        frame, bay, storey, way = place
+        of_frame = [line for line in lines if not frame or frame in frames_of_line(line)]
+        left, right = of_frame[bay - 1], of_frame[bay]
+        rises = kind == "R" or (kind == "V" and way == "r")
         pulls = np.array([tension[i], -compression[i]] if rises else [-compression[i], tension[i]])
         pulls *= heights[storey - 1] / lengths[i]
         add(left if rises else right, storey - 1, -pulls)

@@ -145,6 +145,7 @@ class _ProjectText:
             "frame:",
             f"  bays: {_lengths(widths, 'width')}",
             f"  axes: [{', '.join(map(self.row.line_name, self.lines))}]",
+            f"  in_building: [{', '.join(frame.name for frame in self.row.frames)}]",
             f"  storeys: {_lengths(self.building.storey_heights[: self.storeys], 'height')}",
             f"  supports: {kinds.pop() if len(kinds) == 1 else by_line}",
             f"  diaphragms: {self._diaphragms()}",

@@ -7,7 +7,6 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.project.dampers.dampers import Dampers
 from edesign.project.notation.grid import BayPlace
-from edesign.project.notation.names import damper_names
 from edesign.study.design.device_text import devices_text
 from edesign.study.design.loop import RoundOutcome
 from edesign.study.design.verification import store_outcomes, stored_outcomes
@@ -127,7 +126,7 @@ def _store_chosen(group: Group, candidates: Candidates, chosen: Analysed) -> Non
     names = [
         (name, option)
         for place, option in equipped.items()
-        for name in damper_names(candidates.kind(option, place), place.bay, place.storey, place.frame)
+        for name in candidates.project.grid.damper_names(candidates.kind(option, place), place)
     ]
     if names:
         coordinate(group, "damper", [name for name, _ in names], "", "name of the damper")
