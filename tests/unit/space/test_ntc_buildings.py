@@ -194,3 +194,31 @@ def test_tables_name_the_code_in_use(tmp_path: Path) -> None:
     assert any(text == "NTC 2018, 7.3.6.1" for text in texts) and "q d_r/h" in texts
     assert (facts["Codes"], facts["Ductility class"]) == ("NTC 2018, EN 1993-1-1:2005", 'CD"B"')
     assert facts["Drift limit"] == "ductile elements, SLD in class of use II"
+
+
+def test_own_cases_are_combined_by_ntc() -> None:
+    """Eq. 2.5.1 and 2.5.2 written out: gamma_G1 = 1.3 and gamma_Q = 1.5 (Table 2.6.I, A1), psi_0 of Table 2.5.I.
+
+    psi_0 is 0.7 of offices, 0.6 of wind and 0.5 of snow up to 1000 m; gamma_G1 is 1.0 where G relieves. Two floors of
+    12 m by 8 m bring 2 x 96 x 5 = 960 kN of G and 2 x 96 x 2 = 384 kN of Q, the roof 96 x 0.8 = 76.8 kN of snow; the
+    wind is 50 kN and 30 kN. Where Q leads the ground carries 1.3 x 960 + 1.5 x 384 + 0.75 x 76.8 = 1881.6 kN, and
+    0.9 x 80 = 72 kN against the wind.
+    """
+    cases = "  cases:\n    wind: {category: wind, floors: [{floors: 1, x: 50 kN}, {floors: 2, x: 30 kN}]}\n"
+    cases += "    snow: {category: snow, areas: [{floors: 2, q: 0.8 kN/m^2, spans: x}]}\n"
+    found = design_of(ntc(changed(FRAMES, ("masses:", f"{cases}masses:"))))
+    rows = {row.name: row for row in found.combinations if row.set == "fundamental" and "S_" not in row.name}
+    assert set(rows) == {
+        "1.3 G + 1.5 Q + 0.75 snow",
+        "1.3 G + 1.05 Q + 1.5 snow",
+        "1.3 G + 1.5 Q + 0.9 wind + 0.75 snow",
+        "1.3 G + 1.05 Q + 0.9 wind + 1.5 snow",
+        "1.3 G + 1.05 Q + 1.5 wind + 0.75 snow",
+        "G + 1.5 wind",
+    }
+    assert {row.equation for row in rows.values()} == {"2.5.1"}
+    rare = [row.name for row in found.combinations if row.set == "characteristic"]
+    assert {"G + Q + 0.6 wind + 0.5 snow", "G + 0.7 Q + wind + 0.5 snow", "G + 0.7 Q + 0.6 wind + snow"} <= set(rare)
+    of = found.foundations
+    acting = of.acting[of.persistent.index("1.3 G + 1.5 Q + 0.9 wind + 0.75 snow")].sum(axis=0)
+    assert acting[[0, 2]] == pytest.approx([-72e3, 1881.6e3], rel=1e-9)
