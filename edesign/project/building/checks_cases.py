@@ -12,7 +12,7 @@ from edesign.project.building.names import node_name
 from edesign.project.building.own_cases import NAMED_CATEGORIES, LoadCaseOfFile, cases_of
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
 
-_TAKEN = re.compile(r"(G2?|Q|Q_.*|[ES]_.*|P_Delta.*|self_weight|alpha)")
+_TAKEN = re.compile(r"(G2?|Q[12]?|Q_.*|[ES]_.*|P_Delta.*|self_weight|alpha)")
 
 
 def check_cases(building: Building, problems: Problems) -> None:

@@ -268,6 +268,7 @@ def test_patterns_in_combinations() -> None:
     [
         ("category: wind, reversed", "category: wnd, reversed", r"did you mean `wind`.*snow"),
         ("    wind: {", "    Q_B: {", "a name of edesign's own cases"),
+        ("    wind: {", "    Q2: {", "a name of edesign's own cases"),  # that of a pattern
         ("floors: [{floors: 1, y: 100 kN}]", "floors: [{floors: 3, y: 100 kN}]", "floor 3"),
         ("floors: [{floors: 1, y: 100 kN}]", "nodes: []", "this case has no load"),
         ("floors: [{floors: 1, y: 100 kN}]", "facades: [{side: x-, pressure: 80 kN/m^2}]", "E-UNIT-03"),
