@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, replace
 from typing import Generic, TypeVar, cast
 
@@ -206,6 +206,16 @@ def gravity_states(groups: Mapping[str, Group]) -> dict[str, Group]:
         for name, group in groups.items()
         if group.attributes.get("kind") == "gravity" and f"{AXIAL_FORCE}_final" in group.variables
     }
+
+
+def with_gravity(members: VariantMembers, groups: Mapping[str, Group]) -> Callable[[str], dict[str, FrameMember]]:
+    """Return what gives the members of a variant with the compression of its columns under gravity.
+
+    Args:
+        groups: results by name, gravity analyses among them.
+    """
+    states = {str(group.attributes.get("variant") or ""): group for group in gravity_states(groups).values()}
+    return lambda variant: under_gravity(members(variant), states.get(own_variant(variant)))
 
 
 def under_gravity(members: dict[str, FrameMember], group: Group | None) -> dict[str, FrameMember]:

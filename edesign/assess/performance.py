@@ -11,8 +11,8 @@ from edesign.assess.measures import located_measure, place_in_words
 from edesign.assess.members import member_usages
 from edesign.assess.sets import TARGET, HistorySet
 from edesign.assess.statistics import STATISTICS, statistics
-from edesign.codes.fema356.drift import PERFORMANCE_LEVELS, drift_limits
-from edesign.project.criteria.performance import By
+from edesign.codes.fema356.drift import drift_limits
+from edesign.project.criteria.performance import PERFORMANCE_STANDARDS, By, Standard
 from edesign.project.notation.names import member_kind
 
 BEYOND = "beyond CP"
@@ -68,8 +68,8 @@ class SetPerformance:
     Attributes:
         statistic: over the histories, of the usages of each level.
         by_drift, by_members: the level of the statistic, None without any result.
-        drift_counts, member_counts: how many motions, by their worst histories, are at IO, LS, CP and beyond.
-        worst_drift, worst_members: (history, its usage of CP) with the largest usage of CP.
+        drift_counts, member_counts: how many motions, by their worst histories, are at each level and beyond the last.
+        worst_drift, worst_members: (history, its usage of the last level) with the largest usage of this level.
         count: completed histories.
         missing: the others; they are in no count and in no statistic.
     """
@@ -178,37 +178,40 @@ def usage(
 
 
 def set_performance(
-    histories: HistorySet, members: Mapping[str, FrameMember], statistic: str = "mean"
+    histories: HistorySet, members: Mapping[str, FrameMember], statistic: str = "mean", standard: Standard = "fema356"
 ) -> SetPerformance:
-    """Return the performance levels of a set of histories.
+    """Return the performance levels of a set of histories; by drift there are none but in FEMA 356.
 
     Args:
         histories: of one variant at one hazard level.
         statistic: a name of `STATISTICS`; FEMA 356 (3.3.2.2.4) takes the mean of seven or more histories and the
             maximum of fewer.
     """
-    completed = histories.completed
+    completed, of = histories.completed, PERFORMANCE_STANDARDS[standard]
+    beyond = f"beyond {[*of.levels][-1]}"
     found: dict[str, tuple[str | None, dict[str, int], tuple[str, Usage] | None]] = {}
-    for by in ("drift", "members"):
+    ways: tuple[By, ...] = ("drift", "members")
+    for by in ways:
+        if by not in of.tables:
+            found[by] = None, {}, None
+            continue
         kept: dict[str, dict[str, Usage | None]] = {
-            name: {level: usage(group, members, level, by) for level in PERFORMANCE_LEVELS}
+            name: {level: usage(group, members, level, by, standard=standard) for level in of.levels}
             for name, group in completed.items()
         }
         of_motions = _of_motions(kept, histories)
-        levels = {name: _reached(usages) for name, usages in of_motions.items()}
-        counts = {
-            level: sum(reached == level for reached in levels.values()) for level in (*PERFORMANCE_LEVELS, BEYOND)
-        }
+        levels = {name: _reached(usages, beyond) for name, usages in of_motions.items()}
+        counts = {level: sum(reached == level for reached in levels.values()) for level in (*of.levels, beyond)}
         together = {}
-        for level in PERFORMANCE_LEVELS:
+        for level in of.levels:
             ratios = {
                 name: None if (item := usages[level]) is None else item.ratio for name, usages in of_motions.items()
             }
             value = STATISTICS[statistic](statistics(ratios))
             together[level] = None if value is None else Usage(value, statistic)
-        worst = [(name, item) for name, usages in kept.items() if (item := usages["CP"]) is not None]
+        worst = [(name, item) for name, usages in kept.items() if (item := [*usages.values()][-1]) is not None]
         found[by] = (
-            _reached(together),
+            _reached(together, beyond),
             counts,
             max(worst, key=lambda pair: pair[1].ratio, default=None),
         )
@@ -242,11 +245,11 @@ def _of_motions(
     return found
 
 
-def _reached(usages: Mapping[str, Usage | None]) -> str | None:
-    """The first level whose usage is at most 1, `beyond CP` if there is none; None without results."""
+def _reached(usages: Mapping[str, Usage | None], beyond: str) -> str | None:
+    """The first level whose usage is at most 1, `beyond` if there is none; None without results."""
     for level, item in usages.items():
         if item is None:
             return None
         if item.ratio <= 1.0:
             return level
-    return BEYOND
+    return beyond

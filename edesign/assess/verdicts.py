@@ -10,7 +10,7 @@ from typing import Literal
 from edesign.archive.dataset import Group
 from edesign.assess.judgement import share_met, statistic_of, within
 from edesign.assess.measures import Located, place_in_words
-from edesign.assess.members import VariantMembers, gravity_states, under_gravity
+from edesign.assess.members import VariantMembers, with_gravity
 from edesign.assess.requirement import NEGLIGIBLE, Requirement, requirement_of
 from edesign.assess.sets import HistorySet, history_sets, target_sets
 from edesign.assess.statistics import code_statistic
@@ -151,13 +151,12 @@ def judge(
         study: says what should have run, and which variants have no dampers; None: what is named should have run.
     """
     sets = (*history_sets(histories), *target_sets(histories))
-    gravity = {str(group.attributes.get("variant") or ""): group for group in gravity_states(histories).values()}
     members = VariantMembers(project, study)
+    under_gravity = with_gravity(members, histories)
     verdicts = []
     for criterion in criteria:
         for found in _chosen(sets, criterion.variants, criterion.levels, study):
-            of_variant = members(found.variant) if criterion.traits.by_members else {}
-            of_variant = under_gravity(of_variant, gravity.get(own_variant(found.variant)))
+            of_variant = under_gravity(found.variant) if criterion.traits.by_members else {}
             asked = requirement_of(criterion, of_variant, members.project(found.variant))
             verdicts.append(_verdict(asked, found, study))
     for letter in objectives:

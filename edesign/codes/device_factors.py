@@ -1,8 +1,8 @@
 """Factors of codes on what damping devices must be able to do, and on what holds them.
 
 ASCE/SEI 7-16 and FEMA 356 raise stroke and velocity by how many devices share a storey. EN 1998-1 raises the stroke of
-isolators. The numbers of EN 15129 for dampers are not here: its text was not at hand, and what others quote of it could
-not be confirmed.
+isolators. No public text of these numbers could be read: compare them with your copy of the standard. Those of EN 15129
+for dampers are not here: its text was not at hand, and what others quote of it could not be confirmed.
 """
 
 from __future__ import annotations
@@ -35,6 +35,11 @@ class DeviceFactors:
     overstrength: float = 1.0
     isolator_stroke: float = 1.0
     clause: str = ""
+
+    @property
+    def unread(self) -> bool:
+        """Whether the numbers are those of a standard that no text at hand confirmed."""
+        return bool(self.clause)
 
     @property
     def on_dampers(self) -> bool:

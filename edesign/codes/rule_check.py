@@ -35,6 +35,10 @@ def with_standard(clause: str) -> str:
     return clause if clause.startswith(_NAMED) else f"EN 1998-1, {clause}"
 
 
+UNREAD = "No public text of these numbers could be read: compare them with your copy of the standard."
+"""What tables say of numbers of a standard that no text at hand confirmed."""
+
+
 @dataclass(frozen=True)
 class RuleCheck:
     """One rule and what was found.

@@ -1,4 +1,7 @@
-"""Capacities of existing steel beams and columns in plastic rotation, EN 1998-3:2005, Annex B."""
+"""Capacities of existing steel beams and columns in plastic rotation, EN 1998-3:2005, Annex B.
+
+No public text of these numbers could be read: compare them with your copy of the standard.
+"""
 
 from __future__ import annotations
 

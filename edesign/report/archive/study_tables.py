@@ -119,7 +119,7 @@ def study_tables(archive: Archive) -> list[Table]:
     if study.criteria:
         tables += verdicts_tables(judge(study.criteria, (), judged, study.base, study), study.base.hazard)
     if sets:
-        tables += performance_tables(not_swept(study, sets), VariantMembers(study.base, study))
+        tables += performance_tables(not_swept(study, sets), VariantMembers(study.base, study), study.criteria, groups)
     if study.objectives:
         verdicts = judge((), study.objectives, judged, study.base, study)
         tables.append(objectives_table(verdicts, study.objectives, study.base))

@@ -76,7 +76,7 @@ def tables_of_histories(
     verdicts = judge(criteria, (), histories, project, study)
     if verdicts:
         tables += verdicts_tables(verdicts, project.hazard)
-    tables += performance_tables(sets, members)
+    tables += performance_tables(sets, members, criteria, histories)
     if objectives:
         tables.append(objectives_table(judge((), objectives, histories, project, study), objectives, project))
     return tables

@@ -6,10 +6,12 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import isinf
 from operator import itemgetter
+from types import MappingProxyType
 from typing import NamedTuple
 
+from edesign.archive.dataset import Group
 from edesign.assess.acceptance import ELASTIC_ROTATION
-from edesign.assess.members import VariantMembers
+from edesign.assess.members import VariantMembers, with_gravity
 from edesign.assess.performance import SetPerformance, Usage, set_performance
 from edesign.assess.requirement import NEGLIGIBLE as NO_VALUE
 from edesign.assess.requirement import UNITS
@@ -17,11 +19,12 @@ from edesign.assess.sets import HistorySet
 from edesign.assess.verdicts import Verdict
 from edesign.codes.fema356.drift import NEGLIGIBLE, PERFORMANCE_LEVELS
 from edesign.codes.fema356.objectives import OBJECTIVES, Objective
-from edesign.codes.rule_check import with_standard
+from edesign.codes.rule_check import UNREAD, with_standard
 from edesign.ground_motion.hazard import objective_level, rules_in_force
 from edesign.project.actions.hazard_base import Hazard
 from edesign.project.analysis_file import AnalysisFile
-from edesign.project.criteria.criteria import Objectives
+from edesign.project.criteria.criteria import Criterion, Objectives, PerformanceCriterion
+from edesign.project.criteria.performance import PERFORMANCE_STANDARDS, Standard
 from edesign.report.assessment.measure_columns import ROUNDING
 from edesign.report.assessment.measure_tables import missing_notes
 from edesign.report.tables import cell
@@ -184,8 +187,11 @@ def _usage(worst: tuple[str, Usage] | None) -> str | None:
     return f"D/C {ratio}: {usage.governing}, {usage.place}, {history}"
 
 
-def _performance(reached: str, counts: str, worst: str) -> tuple[Column[SetPerformance], ...]:
+def _performance(
+    reached: str, counts: str, worst: str, standard: Standard = "fema356"
+) -> tuple[Column[SetPerformance], ...]:
     """The columns of one of the two ways to judge performance levels, by the names of attributes."""
+    levels = [*PERFORMANCE_STANDARDS[standard].levels]
 
     def at(level: str) -> Callable[[SetPerformance], int]:
         return lambda found: int(getattr(found, counts)[level])
@@ -194,14 +200,18 @@ def _performance(reached: str, counts: str, worst: str) -> tuple[Column[SetPerfo
         text("variant", lambda found: found.variant or None),
         text("level", lambda found: found.level or None),
         text("reached", reached),
-        *(count(level, at(level)) for level in ("IO", "LS", "CP")),
-        count("beyond", at("beyond CP")),
+        *(count(level, at(level)) for level in levels),
+        count("beyond", at(f"beyond {levels[-1]}")),
         count("of", lambda found: f"{found.count}/{found.count + len(found.missing)}"),
         text("governs", lambda found: _usage(getattr(found, worst)), broken=1),
     )
 
 
-GOVERNS = "Governs: the history with the largest demand over capacity (D/C) of Collapse Prevention, met up to 1."
+def _governing(standard: Standard = "fema356") -> str:
+    last = [*PERFORMANCE_STANDARDS[standard].levels.values()][-1]
+    return f"Governs: the history with the largest demand over capacity (D/C) of {last}, met up to 1."
+
+
 BY_DRIFT = TableSpec[SetPerformance](
     "performance_by_drift",
     "FEMA 356 performance levels by drift ({statistic}, and histories at each)",
@@ -211,7 +221,7 @@ BY_DRIFT = TableSpec[SetPerformance](
             "Drift: Table C1-3, transient 0.7, 2.5, 5 %, permanent "
             f'{100 * NEGLIGIBLE:g} ("negligible" there), 1, 5 %; of: histories that count.'
         ),
-        *wrapped(GOVERNS),
+        *wrapped(_governing()),
     ],
     keys=2,
 )
@@ -222,24 +232,60 @@ BY_MEMBERS = TableSpec[SetPerformance](
     notes=wrapped(
         "Members: Table 5-6. A column with P/P_CL > 0.5 is force-controlled and has to stay elastic: up to "
         f"{1e3 * ELASTIC_ROTATION:g} mrad count as that. P is its largest compression in the history, with what "
-        f"dampers add; P_CL its buckling strength over the storey (K = 1). {GOVERNS}"
+        f"dampers add; P_CL its buckling strength over the storey (K = 1). {_governing()}"
     ),
     keys=2,
 )
+_ELASTIC = f"has to stay elastic: up to {1e3 * ELASTIC_ROTATION:g} mrad count as that"
+BY_ASCE41 = TableSpec[SetPerformance](
+    "performance_by_rotation_asce41",
+    "ASCE/SEI 41-17 performance levels by plastic rotation ({statistic}, and histories at each)",
+    _performance("by_members", "member_counts", "worst_members", "asce41-17"),
+    notes=wrapped(
+        f"Members: Table 9-7.1, columns by P_G of gravity. One with P_G/P_ye > 0.6 {_ELASTIC}. {_governing()}"
+    ),
+    keys=2,
+)
+BY_EN1998_3 = TableSpec[SetPerformance](
+    "performance_by_rotation_en1998_3",
+    "EN 1998-3 limit states by plastic rotation ({statistic}, and histories at each)",
+    _performance("by_members", "member_counts", "worst_members", "en1998-3"),
+    notes=wrapped(
+        f"Members: Table B.1, by the largest compression. One with nu = N/N_pl > 0.3, or of class 3 or 4, {_ELASTIC}. "
+        f"{UNREAD} {_governing('en1998-3')}"
+    ),
+    keys=2,
+)
+_OTHERS: Mapping[Standard, TableSpec[SetPerformance]] = {"asce41-17": BY_ASCE41, "en1998-3": BY_EN1998_3}
 
 
-def performance_tables(sets: Sequence[HistorySet], members: VariantMembers) -> list[Table]:
+def performance_tables(
+    sets: Sequence[HistorySet],
+    members: VariantMembers,
+    criteria: Sequence[Criterion] = (),
+    groups: Mapping[str, Group] = MappingProxyType({}),
+) -> list[Table]:
     """Return the performance level of each variant at each hazard level: by drift, and by plastic rotations.
+
+    They are those of FEMA 356, and of each other standard that a criterion asks for.
 
     Args:
         members: acceptance limits of the members, by variant.
+        criteria: of the study.
+        groups: results by name, gravity analyses among them.
     """
     found = [set_performance(one, members(one.variant), "mean") for one in sets]
-    known = any(members(one.variant) for one in sets)
+    known, loaded = any(members(one.variant) for one in sets), with_gravity(members, groups)
+    asked = {criterion.standard for criterion in criteria if isinstance(criterion, PerformanceCriterion)}
     without = [] if known else ["No member has a section and a material that Table 5-6 knows."]
     return [
         BY_DRIFT.of(found, statistic="mean", notes=missing_notes(sets)),
         BY_MEMBERS.of(found, statistic="mean", notes=without),
+        *(
+            spec.of((set_performance(one, loaded(one.variant), "mean", name) for one in sets), statistic="mean")
+            for name, spec in _OTHERS.items()
+            if name in asked
+        ),
     ]
 
 

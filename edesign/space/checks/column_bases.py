@@ -65,7 +65,8 @@ def base_criteria(
         axis: of the moment frame.
         highest: class that dissipative sections may have.
         gamma_M0: partial factor.
-        axial: largest N_Ed / N_pl,Rd; None: there is no limit.
+        axial: largest N_Ed / N_pl,Rd; None: there is no limit. The clause does not say which N_Ed; that of the
+            amplified combinations is taken, the largest one.
 
     Source: EN 1998-1:2004, 6.5.3(2); 6.6.3(2) and (4), Eq. 6.7; NTC 2018, 7.5.3.2, Eq. 7.5.3.
     """
@@ -88,7 +89,9 @@ def base_criteria(
         share = acting[:, 0, N] / N_pl
         most = first_of_largest(share)
         text = f"N_Ed / N_pl,Rd of columns at hinges at their bases, direction {axis}"
-        yield at_most("NTC 2018, 7.5.3.2", text, axial, float(share[most]), frame.members[bases[most]].name)
+        yield at_most(
+            "NTC 2018, 7.5.3.2", text, axial, float(share[most]), f"{frame.members[bases[most]].name}; N_Ed by 7.5.7"
+        )
     about_y = bend_about_y(frame, bases, axis)
     head = np.where(about_y, acting[:, -1, M_Y], acting[:, -1, M_Z])
     resistances = np.array(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from edesign.codes.device_factors import DeviceFactors, device_factors, factors_of_code
+from edesign.codes.rule_check import UNREAD
 from edesign.project.actions.hazard import UserHazard
 from edesign.project.actions.hazard_base import Hazard
 from edesign.project.dampers.dampers import GivenFactors
@@ -43,4 +44,4 @@ def factors_note(factors: DeviceFactors, asked: bool) -> str:
         return ""
     source = f" by {factors.clause}" if factors.clause else ""
     whose = "" if asked else "; they go with the code of the hazard, and `device_factors` changes them"
-    return f"Factors{source}: {given}{whose}."
+    return f"Factors{source}: {given}{whose}." + f" {UNREAD}" * factors.unread

@@ -10,7 +10,7 @@ from unit.assess.assessed import frame, history, part
 
 from edesign.archive.dataset import Group, Variable
 from edesign.assess.judgement import within
-from edesign.assess.members import VariantMembers, frame_members
+from edesign.assess.members import VariantMembers, frame_members, with_gravity
 from edesign.assess.performance import BEYOND, drift_performance, member_performance, set_performance
 from edesign.assess.requirement import requirement_of
 from edesign.assess.sets import HistorySet, history_sets
@@ -372,6 +372,31 @@ def test_levels_of_other_standards() -> None:
     (verdict,) = verdicts(text % ("asce41-17", "CP"), {**histories, "damped.gravity": gravity})
     assert verdict.met and verdict.value == pytest.approx(0.002 / 0.045240, rel=1e-3)
     assert verdict.governing_member == "C_A_1" and verdict.remark == ""
+
+
+def test_tables_of_other_standards() -> None:
+    """A table for each standard that a criterion asks for, with its levels: reached, and motions at each.
+
+    C_A_1 (HEB450, 3.5 m) turns by 2 mrad under 4000 kN, 900 kN of gravity. By ASCE 41 P_G counts:
+    a = 0.8 x 0.84542^2.2 / (5.3787 + 19.657) - 0.0035 = 0.01858, IO = a/2 = 9.3 mrad. B_1_1 (IPE450, 6 m) turns
+    by 11 mrad, theta_y = 1.6239e-3 x 275e6 x 6 / (6 x 210e9 x 3.2140e-4) = 6.62 mrad: above IO = 1, below LS = 9. By
+    EN 1998-3 N counts, nu = 0.69 is above 0.3, and the column has to stay elastic.
+    """
+    one = history("damped", "DBE")
+    one.variables["column_axial_force_min"].values[:] = [-4.0e6, -8e5]
+    gravity = Group(dict(one.coords), {}, {"kind": "gravity", "variant": "damped"})
+    gravity.add("column_axial_force_final", ("column",), [-9e5, -9e5], "N", "axial force")
+    asked = part("criteria: [{name: a, standard: asce41-17, performance: CP}, {name: b, performance: CP}]").criteria
+    sets, members = [HistorySet("damped", "DBE", {"one": one})], VariantMembers(frame())
+    *_, fema, asce = performance_tables(sets, members, asked, {"damped.gravity": gravity})
+    assert (fema.name, asce.name) == ("performance_by_rotation", "performance_by_rotation_asce41")
+    asked = part("criteria: [{name: c, standard: en1998-3, performance: NC}]").criteria
+    *_, european = performance_tables(sets, members, asked, {"damped.gravity": gravity})
+    assert [column.head for column in european.columns[3:7]] == ["DL", "SD", "NC", "beyond"]
+    assert european.rows[0][2] == "beyond NC" and european.rows[0][6] == 1
+    assert str(european.rows[0][8]).startswith("column C_A_1 has no plastic rotation in Table B.1 (nu = 0.69)")
+    found = set_performance(sets[0], with_gravity(members, {"damped.gravity": gravity})("damped"), "mean", "asce41-17")
+    assert found.by_drift is None and found.by_members == "LS" == asce.rows[0][2]
 
 
 def test_performance_of_a_set() -> None:

@@ -69,5 +69,6 @@ def checks(source: Source) -> Section:
         of_objectives = judge((), study.objectives, source.judged_histories, project, study)
         parts.append(objectives_table(of_objectives, study.objectives, project))
     if project is not None and any(found.completed for found in source.sets):
-        parts += performance_tables(source.sets, VariantMembers(project, study))
+        criteria = study.criteria if study is not None else ()
+        parts += performance_tables(source.sets, VariantMembers(project, study), criteria, source.groups)
     return Section("checks", title, (), tuple(parts))
