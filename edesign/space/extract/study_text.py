@@ -109,7 +109,8 @@ def study_text(row: FrameRow, names: StudyNames, drift: float | None = None) -> 
     proved = f"records: {_list(proofs)}, levels: {_list(verified)}"
     statistic = "" if limits.statistic == "mean" else f"\n    statistic: {limits.statistic}"
     objectives = f"objectives: [{', '.join(limits.objectives)}]"
-    last = f"{objectives}                       # the basic safety objective of FEMA 356\n\n"
+    whole = "the basic safety objective" if len(limits.objectives) > 1 else "a cell of the rehabilitation objectives"
+    last = f"{objectives}                       # {whole} of FEMA 356\n\n"
     return f"""\
 # Motions: `edesign check` says which of them are recordings and which are simulated.
 
