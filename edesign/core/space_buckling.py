@@ -15,6 +15,11 @@ others are further away, it is much nearer: by the square of this over their dis
 ROUNDING = 1e-10
 """Square of a new shape over that of the largest one, below which it is rounding of shapes that are there."""
 
+SLOW = 8
+"""Rounds after which no more are made of a frame that does not stand, as a wanted shape has a factor below 1. Where
+members buckle long before a storey sways, hundreds of shapes stand between, and rounds go on without end. Shapes of
+frames that stand settle in two or three."""
+
 
 @dataclass(frozen=True)
 class BucklingShapes:
@@ -43,7 +48,7 @@ def buckling_shapes(
     nodes are in it (P-small-delta). Shapes that no start shape has a share in, such as of a column on hinges, are not
     found. Shapes are added until the residuals of the wanted ones are below `SETTLED` of their size. A wanted shape
     whose residual proves a factor of `exact_below` or more may be left before; its factor is then the least that the
-    residual allows.
+    residual allows. So are, after `SLOW` rounds, those of a frame of which a wanted shape has a factor below 1.
 
     Args:
         axial: (m,) N, tension positive.
@@ -61,29 +66,31 @@ def buckling_shapes(
     given = np.zeros((k, basis.V.shape[1]))
     given[:, : model.n_equations] = start
     basis.append(given)
-    first = True
+    rounds = 0
     while True:
         inverse, shapes = np.linalg.eigh(basis.T)
         inverse, shapes = inverse[::-1], shapes[:, ::-1]
         factor = np.divide(1.0, inverse, out=np.full(inverse.size, np.inf), where=inverse > 0.0)
         found = BucklingShapes(factor, shapes[:k].T)
         decide = np.array(wanted(found), dtype=int)
-        asked = np.arange(k) if first else decide
+        asked = decide if rounds else np.arange(k)
         of, size = shapes[:, asked].T, inverse[asked]
         images = of @ basis.G_V
         moved = basis.deflections(images)
         gram = images @ moved.T - np.diag(size**2)
         rest = np.sqrt(np.maximum(np.diag(gram), 0.0))
         counts, unsettled = size + rest > 1.0 / exact_below, rest > SETTLED * np.abs(size)
-        if first:  # whatever may have a small factor
+        if not rounds:  # whatever may have a small factor
             counts[decide] = True
         counts &= unsettled
+        if rounds >= SLOW and (size[~unsettled] > 1.0).any():
+            counts[:] = False  # the frame does not stand: its further factors need not be exact
         residuals = moved[counts] - size[counts, None] * (of[counts] @ basis.V)
         if not basis.append_orthogonal(residuals, gram[np.ix_(counts, counts)]):
             proved = np.isin(asked, decide) & unsettled
             factor[asked[proved]] = 1.0 / (size + rest)[proved]
             return found
-        first = False
+        rounds += 1
 
 
 class _Basis:

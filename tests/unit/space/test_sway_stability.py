@@ -8,7 +8,9 @@ from building_examples import NO_TORSION, PINNED, bending_only, building, change
 from scipy.optimize import brentq
 
 from edesign.codes.ec3.imperfections import initial_sway
+from edesign.core import space_buckling
 from edesign.core.space import PROPERTIES
+from edesign.core.space_buckling import SETTLED, _Basis
 from edesign.frame.sections.steel_section import steel_section
 from edesign.project.building import Building
 from edesign.space.analysis.sway import STABLE, critical_factors
@@ -93,6 +95,29 @@ def test_against_the_eigenvalue_of_the_core() -> None:
     axial[frame.columns] = -N[0]
     found = critical_factors(model, modes, axial, frame.node_mass, frame.level_of_nodes)
     assert 1.0 <= min(found) / model.critical_factor(axial) < 1.0 + 1e-3
+
+
+def test_a_frame_that_does_not_stand_takes_few_rounds(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its least factor, below 1, is that of all rounds; those behind many shapes of light columns are not larger."""
+    text = portals(x="7 m, 7 m, 7 m", y="6 m, 6 m", storeys="4 m, 4 m, 4 m, 4 m") + NO_TORSION
+    frame, model, _ = bending_only(building(text.replace("HEB200", "HEA100")))
+    modes, axial = model.modes(frame.node_mass), np.zeros(len(frame.members))
+    axial[frame.columns] = [-1e6 * (5 - frame.storey[number]) for number in frame.columns]
+    rounds, whole = [], _Basis.append_orthogonal
+
+    def counted(self: _Basis, shapes: np.ndarray, gram: np.ndarray) -> bool:
+        rounds.append(len(shapes))
+        return whole(self, shapes, gram)
+
+    monkeypatch.setattr(_Basis, "append_orthogonal", counted)
+    found = critical_factors(model, modes, axial, frame.node_mass, frame.level_of_nodes)
+    assert len(rounds) == space_buckling.SLOW + 1
+    monkeypatch.setattr(space_buckling, "SLOW", 1000)
+    rounds.clear()
+    every = critical_factors(model, modes, axial, frame.node_mass, frame.level_of_nodes)
+    assert len(rounds) > 20
+    assert found[0] < 1.0 and found[0] == pytest.approx(every[0], rel=SETTLED**2)
+    assert np.all(np.array(found[1:]) <= np.array(every[1:]) * (1.0 + SETTLED**2))
 
 
 def shear(design: ElasticDesign, case: str, storey: int, axis: int) -> float:
