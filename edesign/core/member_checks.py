@@ -143,7 +143,8 @@ class MemberConstants:
         return int(_SHAPES[self.shape] | bits)
 
 
-_numbers = attrgetter(*(field.name for field in fields(MemberConstants)[: lib.ED_N_CONSTANTS]))
+_NAMES = tuple(field.name for field in fields(MemberConstants)[: lib.ED_N_CONSTANTS])
+_numbers = attrgetter(*_NAMES)
 
 
 @dataclass(frozen=True)
@@ -184,7 +185,7 @@ class MemberTable:
         Args:
             name: a field of `MemberConstants`.
         """
-        return self.constants[:, [field.name for field in fields(MemberConstants)].index(name)]
+        return self.constants[:, _NAMES.index(name)]
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from copy import copy
 from dataclasses import dataclass
 from typing import Self
@@ -23,10 +23,10 @@ _N, _V_Y, _V_Z, _M_Y, _M_Z = (FORCES.index(name) for name in ("N", "V_y", "V_z",
 
 @dataclass(frozen=True)
 class Forces:
-    """Forces of steps at places: members, or their ends.
+    """Forces at places, each in a step: of members, or of their ends.
 
     Attributes:
-        compression: (n, m) or (n, m, 2), N.
+        compression: (k,), N.
         M_y: magnitude, N m.
         M_z: likewise; None: there is none.
         V_y, V_z: magnitudes, N; None: there is none, or it is not asked for.
@@ -38,10 +38,14 @@ class Forces:
     V_y: np.ndarray | None = None
     V_z: np.ndarray | None = None
 
+    def of(self, chosen: np.ndarray) -> Forces:
+        """Return those of some places, by their numbers."""
+        parts = self.compression, self.M_y, self.M_z, self.V_y, self.V_z
+        return Forces(*(None if of is None else of[chosen] for of in parts))  # type: ignore[arg-type]
 
-Exact = Callable[[np.ndarray, np.ndarray], np.ndarray]
-SHEAR_COUNTS = 0.5
-"""Share of V_Rd from which shear reduces other resistances (EN 1993-1-1, 6.2.8(2), 6.2.10(2))."""
+
+_ROUNDING = 1.0 + 1e-12
+"""Of sums that are taken in another order."""
 
 
 class Largest:
@@ -55,52 +59,38 @@ class Largest:
         self.use, self.at = np.zeros(shape), np.full(shape, np.nan)
         self.forces = np.full((*shape, width), np.nan)
 
-    def see(
-        self,
-        abscissa: np.ndarray,
-        bound: np.ndarray,
-        exact: Exact,
-        forces: Exact,
-        chosen: np.ndarray,
-    ) -> None:
-        """See further steps.
+    def least(self, reached: np.ndarray) -> np.ndarray:
+        """Return what a use must pass to be the largest of its place, (places,); minus infinity where it may have.
 
         Args:
-            abscissa: (n,).
-            bound: (n, ...) never less than the use, of the chosen places.
-            exact: gives the use in steps of chosen places, both as numbers.
-            forces: likewise what is kept of them, (k, width).
-            chosen: (places,) numbers of the places among all.
+            reached: (places,) what the use may reach in any case.
         """
-        flat = bound.reshape(len(bound), -1)
-        use = self.use.reshape(-1)
-        rows = flat.argmax(axis=0)
-        places = np.flatnonzero(flat[rows, np.arange(chosen.size)] > use[chosen])
-        if not places.size:
-            return
-        self._keep(abscissa, rows[places], places, exact, forces, chosen)
-        rows, at = np.nonzero(flat[:, places] > use[chosen[places]])
-        if rows.size:
-            self._keep(abscissa, rows, places[at], exact, forces, chosen)
+        use = self.use.ravel()
+        return np.where(reached > use, -np.inf, use)
 
-    def _keep(
-        self,
-        abscissa: np.ndarray,
-        rows: np.ndarray,
-        places: np.ndarray,
-        exact: Exact,
-        forces: Exact,
-        chosen: np.ndarray,
-    ) -> None:
+    def see(self, abscissa: np.ndarray, places: np.ndarray, of: Sections, acting: Forces, forces: np.ndarray) -> None:
+        """See places in further steps.
+
+        Args:
+            abscissa: (k,) of the steps, which rise for each place.
+            places: (k,) their numbers.
+            of: what stands there, k.
+            acting: forces there.
+            forces: (k, width) what is kept of them.
+        """
         use, at = self.use.reshape(-1), self.at.reshape(-1)
-        cut = range(0, len(rows), _AT_ONCE)
-        found = np.concatenate([exact(rows[i : i + _AT_ONCE], places[i : i + _AT_ONCE]) for i in cut])
-        more = np.flatnonzero(found > use[chosen[places]])
-        order = more[np.lexsort((-rows[more], found[more]))]  # of a place the last assignment stays: the first largest
-        to = chosen[places[order]]
-        use[to] = found[order]
-        at[to] = abscissa[rows[order]]
-        self.forces.reshape(use.size, -1)[to] = forces(rows[order], places[order])
+        chosen = np.flatnonzero(of.bound(acting) > use[places])
+        if not chosen.size:
+            return
+        pieces = [chosen[i : i + _AT_ONCE] for i in range(0, chosen.size, _AT_ONCE)]
+        found = np.concatenate([of.of(piece).use(acting.of(piece)) for piece in pieces])
+        more = np.flatnonzero(found > use[places[chosen]])
+        order = more[
+            np.lexsort((-chosen[more], found[more]))
+        ]  # of a place the last assignment stays: the first largest
+        best = chosen[order]
+        use[places[best]], at[places[best]] = found[order], abscissa[best]
+        self.forces.reshape(use.size, -1)[places[best]] = forces[best]
 
 
 class Sections:
@@ -112,7 +102,6 @@ class Sections:
     """
 
     checks = mask(Check.N_M, Check.V_Y, Check.V_Z)
-    places = 2  # of a member
 
     def __init__(self, members: Sequence[CheckedMember], about: tuple[bool, bool]) -> None:
         distinct: dict[tuple[int, bool], int] = {}
@@ -125,65 +114,52 @@ class Sections:
         self._table = MemberTable.of(
             [of.constants for kind in ("plastic", "elastic") for of in (getattr(k, kind) for k in kinds)]
         )
+        self._kinds = len(kinds)
         self._annex_a = kinds[0].plastic.annex_a
         limits = [class_limits(kind.plastic, (False, True) if kind.weak else about) for kind in kinds]
-        self._plastic_up_to, self._elastic_up_to = np.array(limits)[self._kind].T
-        self._lowest = float(self._plastic_up_to.min())
+        self._plastic_up_to, self._elastic_up_to = np.array(limits).T
         self._prepare()
 
     def _prepare(self) -> None:
-        grow_y, grow_z = 1.0 / (1.0 - 0.5 * self._of("a_y")), 1.0 / (1.0 - 0.5 * self._of("a_z"))
-        names = ("N", "M_y", "M_z", "V_y", "V_z")
-        resistances = (1.0 / self._of(f"{name}_Rd") for name in names)
-        self._factors = [of[:, None] for of in resistances]
-        self._grow = grow_y[:, None], grow_z[:, None]
+        self._grow = tuple(1.0 / (1.0 - 0.5 * self._of(name)) for name in ("a_y", "a_z"))
+        self._per = tuple(1.0 / self._of(f"{name}_Rd") for name in ("N", "M_y", "M_z", "V_y", "V_z"))
 
     def _of(self, name: str) -> np.ndarray:
-        """A constant of all members as of class 1 or 2."""
-        return self._table.column(name)[self._kind]
+        """A constant of all kinds as of class 1 or 2."""
+        return self._table.column(name)[: self._kinds]
 
     def of(self, chosen: np.ndarray) -> Self:
-        """Return the same of some members."""
-        if chosen.size == self._kind.size:
-            return self
+        """Return the same of some members, which may repeat."""
         found = copy(self)
         found._kind = self._kind[chosen]
-        found._plastic_up_to, found._elastic_up_to = self._plastic_up_to[chosen], self._elastic_up_to[chosen]
-        found._prepare()
         return found
 
-    def ceiling(self, forces: Forces) -> np.ndarray:
-        """Return what the use passes under no forces of these magnitudes or less, each by itself.
+    def ceiling(self, peak: Forces) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+        """Return a sum that the use does not pass under forces up to these: 6.2.1(7), with what shear leaves.
 
         Args:
-            forces: of n steps; of the axial force the magnitude.
+            peak: magnitudes, of the axial force too.
+
+        Returns:
+            factors of N, M_y and M_z, and what the use may reach without them; each (k,).
         """
-        return self._bound(forces, self._highest)
+        factors, shear = self._factors(peak)
+        shear[peak.compression > self._plastic_up_to[self._kind]] = np.inf
+        per_N, per_M_y, per_M_z = (_ROUNDING * of for of in factors)
+        return per_N, per_M_y, per_M_z, shear
 
     def bound(self, forces: Forces) -> np.ndarray:
-        """Return what the use of no place passes; infinite where the class leaves the clauses of class 2.
-
-        Args:
-            forces: of n steps.
-        """
-        return self._bound(forces, self._plastic_bound)
-
-    def _bound(self, forces: Forces, of: Callable[[Forces], np.ndarray]) -> np.ndarray:
-        found = of(forces)
-        if float(forces.compression.max()) > self._lowest:
-            limit = self._plastic_up_to.reshape(-1, *(1,) * (found.ndim - 2))
-            found[forces.compression > limit] = np.inf
+        """Return what the use of no place passes, (k,); infinite where the class leaves the clauses of class 2."""
+        found = self._plastic_bound(forces)
+        found[forces.compression > self._plastic_up_to[self._kind]] = np.inf
         return found
-
-    def _highest(self, forces: Forces) -> np.ndarray:
-        """The sum of 6.2.1(7), which grows with each force."""
-        n, m_y, m_z, shear = self._shares(forces)
-        return np.maximum(n + m_y if m_z is None else n + m_y + m_z, shear)
 
     def _plastic_bound(self, forces: Forces) -> np.ndarray:
         """M_N,Rd / M_Rd is at least what is taken here; exponents are at least 1.5, or 1 of I sections about z."""
-        n, m_y, m_z, shear = self._shares(forces)
-        grow_y, grow_z = self._grow
+        (per_N, per_M_y, per_M_z), shear = self._factors(forces)
+        grow_y, grow_z = (of[self._kind] for of in self._grow)
+        n, m_y = np.abs(forces.compression) * per_N, forces.M_y * per_M_y
+        m_z = None if forces.M_z is None else forces.M_z * per_M_z
         linear = n + m_y if m_z is None else n + m_y + m_z
         left = np.maximum(1.0 - n, 1e-9)
         m_y = m_y / np.minimum(left * grow_y, 1.0)
@@ -194,81 +170,81 @@ class Sections:
         within = np.where((m_y > 1.0) | (m_z > 1.0), linear, np.minimum(powers, linear))
         return np.maximum(within, shear)
 
-    def _shares(self, forces: Forces) -> tuple[np.ndarray, np.ndarray, np.ndarray | None, np.ndarray]:
-        """N, M_y and M_z over what shear leaves at least, 1 - rho_y - rho_z (6.2.8(3), 6.2.10(3)), and shear alone."""
-        per_N, per_M_y, per_M_z, per_V_y, per_V_z = self._factors
-        n, m_y = np.abs(forces.compression) * per_N, forces.M_y * per_M_y
-        m_z = None if forces.M_z is None else forces.M_z * per_M_z
+    def _factors(self, forces: Forces) -> tuple[tuple[np.ndarray, np.ndarray, np.ndarray], np.ndarray]:
+        """1 / N, M_y and M_z that shear leaves at least, 1 - rho_y - rho_z (6.2.8(3), 6.2.10(3)), and shear alone."""
+        per_N, per_M_y, per_M_z, per_V_y, per_V_z = (of[self._kind] for of in self._per)
         shears = [V * per for V, per in ((forces.V_y, per_V_y), (forces.V_z, per_V_z)) if V is not None]
-        shear = shears[0] if len(shears) == 1 else np.maximum(*shears)
-        if float(shear.max()) > SHEAR_COUNTS:
-            left = 1.0 - sum(np.clip(2.0 * v - 1.0, 0.0, 1.0) ** 2 for v in shears)
-            grown = 1.0 / np.maximum(left, 1e-9)
-            n, m_y, m_z = n * grown, m_y * grown, None if m_z is None else m_z * grown
-        return n, m_y, m_z, shear
+        left = 1.0 - sum(np.clip(2.0 * v - 1.0, 0.0, 1.0) ** 2 for v in shears)
+        grown = 1.0 / np.maximum(left, 1e-9)
+        return (per_N * grown, per_M_y * grown, per_M_z * grown), shears[0] if len(shears) == 1 else np.maximum(*shears)
 
-    def use(self, forces: Forces, rows: np.ndarray, places: np.ndarray) -> np.ndarray:
-        """Return the use in steps of places, for which the core takes them as members of their own.
-
-        Args:
-            forces: of n steps.
-            rows: (k,) the steps.
-            places: (k,) the places, one after the other.
-        """
-        members, shape = places // self.places, (len(forces.M_y), -1)
-        compression, *others = (
-            np.zeros(len(rows)) if of is None else of.reshape(shape)[rows, places]
-            for of in (forces.compression, forces.V_y, forces.V_z, forces.M_y, forces.M_z)
-        )
-        elastic = compression > self._plastic_up_to[members]
-        kinds = self._kind[members] + elastic * (len(self._table.kind) // 2)
-        statics = np.zeros((1, len(rows), 1, len(FORCES)))
-        for place, of in zip((_N, _V_Y, _V_Z, _M_Y, _M_Z), (-compression, *others), strict=True):
-            statics[0, :, 0, place] = of
+    def use(self, forces: Forces) -> np.ndarray:
+        """Return the use of places, (k,), for which the core takes them as members of their own."""
+        compression, count = forces.compression, len(self._kind)
+        elastic = compression > self._plastic_up_to[self._kind]
+        kinds = self._kind + elastic * self._kinds
+        statics = np.zeros((1, count, 1, len(FORCES)))
+        parts = -compression, forces.V_y, forces.V_z, forces.M_y, forces.M_z
+        for place, of in zip((_N, _V_Y, _V_Z, _M_Y, _M_Z), parts, strict=True):
+            statics[0, :, 0, place] = 0.0 if of is None else of
         found = member_checks(
             statics=statics,
-            spectral=np.zeros((0, len(rows), 1, len(FORCES))),
+            spectral=np.zeros((0, count, 1, len(FORCES))),
             static_factors=np.ones((1, 1)),
             spectral_factors=np.zeros((1, 0)),
             combination_set=np.zeros(1, dtype=int),
             gravity=np.zeros(1, dtype=int),
             members=MemberTable(self._table.constants[kinds], self._table.kind[kinds]),
-            masks=np.full((len(rows), 1), self.checks),
+            masks=np.full((count, 1), self.checks),
         )
         use = found.utilisation.max(axis=1)
-        return np.where(elastic & (compression > self._elastic_up_to[members]), np.inf, use)
+        return np.where(elastic & (compression > self._elastic_up_to[self._kind]), np.inf, use)
 
 
 class Buckling(Sections):
     """Constants of members against buckling, and what bounds their use."""
 
     checks = mask(*MEMBER_CHECKS)
-    places = 1
 
     def _prepare(self) -> None:
         y, z, C_my, C_mz = (self._of(name) for name in ("lambda_y", "lambda_z", "C_my", "C_mz"))
-        of_i, twists = self._table.i_shaped[self._kind], self._table.twists[self._kind]
+        of_i, twists = self._table.i_shaped[: self._kinds], self._table.twists[: self._kinds]
         of_shape = np.where(of_i, np.clip(2.0 * z - 0.6, 0.0, 1.4), np.clip(z - 0.2, 0.0, 0.8))
-        self._k_yy = C_my, C_my * np.clip(y - 0.2, 0.0, 0.8)
-        self._k_zz = C_mz, C_mz * of_shape
-        self._k_zy = np.where(twists, np.minimum(1.0, 0.6 + z), 0.0), np.where(twists, 0.0, 0.6)
-        self._per = [1.0 / self._of(name) for name in ("N_b_y_Rd", "N_b_z_Rd", "M_b_Rd", "M_z_Rk")]
+        self._k = (
+            *(C_my, C_my * np.clip(y - 0.2, 0.0, 0.8)),
+            *(C_mz, C_mz * of_shape),
+            *(np.where(twists, np.minimum(1.0, 0.6 + z), 0.0), np.where(twists, 0.0, 0.6)),
+        )
+        self._per = tuple(1.0 / self._of(name) for name in ("N_b_y_Rd", "N_b_z_Rd", "M_b_Rd", "M_z_Rk"))
 
-    def _highest(self, forces: Forces) -> np.ndarray:
-        return self._plastic_bound(forces)
+    def ceiling(self, peak: Forces) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+        """Return the sum of Eqs. 6.61 and 6.62 with the factors of the largest compression; see `Sections`."""
+        k_yy, k_zz, k_zy, (per_y, per_z, per_M_y, per_M_z) = self._interaction(peak.compression)
+        reached = np.where(peak.compression > self._plastic_up_to[self._kind], np.inf, 0.0)
+        if self._annex_a:
+            reached[:] = np.inf
+        per_N, k_y = np.maximum(per_y, per_z), np.maximum(np.maximum(k_yy, k_zy), 1.0)
+        return _ROUNDING * per_N, _ROUNDING * k_y * per_M_y, _ROUNDING * k_zz * per_M_z, reached
+
+    def _interaction(
+        self, compression: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray, tuple[np.ndarray, ...]]:
+        """k_yy, k_zz and k_zy of Tables B.1 and B.2 that do not fall with the compression, and 1 / resistances."""
+        per = tuple(of[self._kind] for of in self._per)
+        yy, yy_n, zz, zz_n, of_twist, of_bending = (of[self._kind] for of in self._k)
+        k_yy, k_zz = yy + yy_n * (compression * per[0]), zz + zz_n * (compression * per[1])
+        return k_yy, k_zz, of_twist + of_bending * k_yy, per
 
     def _plastic_bound(self, forces: Forces) -> np.ndarray:
         """Tables B.1 and B.2 with factors that do not fall; infinite with Annex A, whose factors have no such bound."""
         if self._annex_a:
             return np.full(forces.M_y.shape, np.inf)
         compression = np.maximum(forces.compression, 0.0)
-        per_y, per_z, per_M_y, per_M_z = self._per
+        k_yy, k_zz, k_zy, (per_y, per_z, per_M_y, per_M_z) = self._interaction(compression)
         n_y, n_z, m_y = compression * per_y, compression * per_z, forces.M_y * per_M_y
-        of_twist, of_bending = self._k_zy
-        k_yy = self._k_yy[0] + self._k_yy[1] * n_y
-        about_y, about_z = n_y + k_yy * m_y, n_z + (of_twist + of_bending * k_yy) * m_y
+        about_y, about_z = n_y + k_yy * m_y, n_z + k_zy * m_y
         if forces.M_z is not None:
-            of_z = (self._k_zz[0] + self._k_zz[1] * n_z) * forces.M_z * per_M_z
+            of_z = k_zz * forces.M_z * per_M_z
             about_y, about_z = about_y + 0.6 * of_z, about_z + of_z
         return np.maximum(np.maximum(about_y, about_z), m_y)
 

@@ -1,13 +1,12 @@
 """Use of columns, beams and braces by the forces of each step: the largest is found while the run goes on.
 
-No history is kept for it. Of every step a sum that is never less than the use is taken in arrays; the clauses follow
-only where it passes the largest use so far.
+No history is kept for it. Of several steps together the peaks of each force bound the use. Where they pass the largest
+use so far, a sum bounds it in each step; where that does as well, the clauses follow.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from functools import partial
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import numpy as np
 
@@ -59,7 +58,11 @@ class MemberUse:
         self._axes = len(frame.bending)
         self._dims = by_axis(frame, "member", "end")
         self._weak = np.array([member.weak for member in members], dtype=bool)
-        self._of_sections = Sections(members, (True, self._in_space)) if members else None
+        self._ends: Sections | None = None
+        if members:  # both ends of each
+            sections = Sections(members, (True, self._in_space))
+            self._ends = sections.of(np.repeat(np.arange(len(members)), 2))
+        self._weak_ends = np.repeat(self._weak, 2)
         width = 1 + 2 * self._axes
         self._section_use = Largest((len(members), 2), width)
         self._of_members = Buckling(members, (True, False)) if found.stability and members else None
@@ -68,53 +71,82 @@ class MemberUse:
         if self._of_members is not None:
             self._load_moments = moments_inside(file, frame, names)
         self._loads = self._load_moments[self._judged]
+        self._load_tops = np.abs(self._loads).max(axis=1)
 
     def see(self, abscissas: np.ndarray, values: Mapping[str, np.ndarray]) -> None:
         """See further steps; see `Observer`. Of most of them the peaks of each force show that they are not needed."""
-        if self._of_sections is None:
+        if self._ends is None:
             return
-        axial, shear, moment = (values[name] for name in self.needs)
-        every = axial, *(of.reshape(*axial.shape, self._axes) for of in (shear, moment))
+        every = [values[name].reshape(len(abscissas), self._judged.size, 2, -1) for name in self.needs]
         if not self._judged.all():
-            every = tuple(of[:, self._judged] for of in every)
-        peaks = [np.maximum(of.max(axis=0), -of.min(axis=0))[None] for of in every]
-        weak = self._weak
-        peak = Forces(peaks[0], *self._by_axis(peaks[2], weak), *self._shear(peaks[1], weak))
-        chosen = np.flatnonzero((self._of_sections.ceiling(peak)[0] > self._section_use.use).any(axis=1))
-        if chosen.size:
-            self._see_sections(abscissas, _some(every, chosen), chosen)
+            every = [of[:, self._judged] for of in every]
+        peaks = [np.maximum(of.max(axis=0), -of.min(axis=0)) for of in every]
+        self._see_ends(abscissas, *(of.reshape(len(of), -1, of.shape[3]) for of in every), peaks)
         if self._of_members is not None:
-            tops = peaks[2].max(axis=2) + np.abs(self._loads).max(axis=1)
-            peak = Forces(peaks[0].max(axis=2), *self._by_axis(tops, weak))
-            chosen = np.flatnonzero(self._of_members.ceiling(peak)[0] > self._member_use.use)
-            if chosen.size:
-                self._see_members(abscissas, _some(every, chosen), chosen)
+            self._see_members(abscissas, *every, peaks)
 
-    def _see_sections(self, abscissas: np.ndarray, every: tuple[np.ndarray, ...], chosen: np.ndarray) -> None:
-        assert self._of_sections is not None
-        axial, shear, moment = every
-        weak, sections = self._weak[chosen], self._of_sections.of(chosen)
-        forces = Forces(axial * _COMPRESSION, *self._by_axis(np.abs(moment), weak), *self._shear(np.abs(shear), weak))
-        places = (2 * chosen[:, None] + np.arange(2)).ravel()
-        exact, kept = partial(sections.use, forces), partial(_of_ends, every)
-        self._section_use.see(abscissas, sections.bound(forces), exact, kept, places)
+    def _see_ends(
+        self, abscissas: np.ndarray, N: np.ndarray, V: np.ndarray, M: np.ndarray, peaks: Sequence[np.ndarray]
+    ) -> None:
+        assert self._ends is not None
+        weak, largest = self._weak_ends, self._section_use
+        of_N, of_V, of_M = (of.reshape(weak.size, -1) for of in peaks)
+        peak = Forces(of_N[:, 0], *self._by_axis(of_M, weak), *self._shear(of_V, weak))
+        per_N, per_M, reached = self._ceiling(self._ends, peak, weak)
+        chosen = np.flatnonzero(of_N[:, 0] * per_N + (of_M * per_M).sum(axis=1) > largest.least(reached))
+        if not chosen.size:
+            return
+        total = np.abs(_some(N[..., 0], chosen)) * per_N[chosen]
+        for axis in range(self._axes):
+            total += np.abs(_some(M[..., axis], chosen)) * per_M[chosen, axis]
+        for rows, places in _largest_first(total, chosen, lambda: largest.least(reached)):
+            forces = [of[rows, places] for of in (N, V, M)]
+            about, ends = weak[places], self._ends.of(places)
+            V_y_z = self._shear(np.abs(forces[1]), about)
+            acting = Forces(
+                forces[0][:, 0] * _COMPRESSION[places % 2], *self._by_axis(np.abs(forces[2]), about), *V_y_z
+            )
+            internal = np.concatenate(forces, axis=1) * _INSIDE[places % 2][:, None]
+            largest.see(abscissas[rows], places, ends, acting, internal)
 
-    def _see_members(self, abscissas: np.ndarray, every: tuple[np.ndarray, ...], chosen: np.ndarray) -> None:
+    def _see_members(
+        self, abscissas: np.ndarray, N: np.ndarray, V: np.ndarray, M: np.ndarray, peaks: Sequence[np.ndarray]
+    ) -> None:
         assert self._of_members is not None
-        members, tops = self._of_members.of(chosen), self._largest_moments(every[2], self._loads[chosen])
-        compression = (every[0] * _COMPRESSION).max(axis=2)
-        forces = Forces(compression, *self._by_axis(tops, self._weak[chosen]))
-        exact, kept = partial(members.use, forces), partial(_of_members, every)
-        self._member_use.see(abscissas, members.bound(forces), exact, kept, chosen)
+        weak, largest, of_N, of_M = self._weak, self._member_use, peaks[0].max(axis=(1, 2)), peaks[2].max(axis=1)
+        peak = Forces(of_N, *self._by_axis(of_M + self._load_tops, weak))
+        per_N, per_M, reached = self._ceiling(self._of_members, peak, weak)
+        inside = (self._load_tops * per_M).sum(axis=1)
+        chosen = np.flatnonzero(of_N * per_N + (of_M * per_M).sum(axis=1) > largest.least(reached) - inside)
+        if not chosen.size:
+            return
+        total = np.maximum(_some(N[:, :, 0, 0], chosen), -_some(N[:, :, 1, 0], chosen))
+        np.maximum(total, 0.0, out=total)
+        total *= per_N[chosen]
+        for axis in range(self._axes):
+            start, end = (np.abs(_some(M[:, :, at, axis], chosen)) for at in range(2))
+            total += np.maximum(start, end, out=start) * per_M[chosen, axis]
+        for rows, places in _largest_first(total, chosen, lambda: largest.least(reached) - inside):
+            forces = [of[rows, places] for of in (N, V, M)]
+            tops, members = self._largest_moments(forces[2], places), self._of_members.of(places)
+            compression = np.maximum(forces[0][:, 0, 0], -forces[0][:, 1, 0])
+            internal = (np.concatenate(forces, axis=2) * _INSIDE[:, None]).reshape(len(rows), -1)
+            acting = Forces(compression, *self._by_axis(tops, weak[places]))
+            largest.see(abscissas[rows], places, members, acting, internal)
+
+    def _ceiling(self, of: Sections, peak: Forces, weak: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Factors of N and of M by axis of the sum that the use does not pass, and what it may reach without them."""
+        per_N, per_M_y, per_M_z, reached = of.ceiling(peak)
+        both = (per_M_y, per_M_z) if self._in_space else (np.where(weak, per_M_z, per_M_y),)
+        return per_N, np.stack(both, axis=1), reached
 
     def _by_axis(self, values: np.ndarray, weak: np.ndarray) -> tuple[np.ndarray, np.ndarray | None]:
-        """Moments about y and z of moments by axis; of a plane frame each member has one of them."""
+        """Moments about y and z of moments by axis, (k, axes); of a plane frame each member has one of them."""
         if self._in_space:
-            return values[..., 0], values[..., 1]
-        values = values[..., 0]
-        if not weak.any():
+            return values[:, 0], values[:, 1]
+        values = values[:, 0]
+        if not self._weak.any():
             return values, None
-        weak = weak.reshape(-1, *(1,) * (values.ndim - 2))
         return np.where(weak, 0.0, values), np.where(weak, values, 0.0)
 
     def _shear(self, values: np.ndarray, weak: np.ndarray) -> tuple[np.ndarray | None, np.ndarray | None]:
@@ -122,24 +154,20 @@ class MemberUse:
         with_y, with_z = self._by_axis(values, weak)
         return with_z, with_y
 
-    @staticmethod
-    def _largest_moments(moments: np.ndarray, loads: np.ndarray) -> np.ndarray:
-        """The largest moments of each member in each step by axis, (n, m, axes), loads inside counted."""
-        tops = np.abs(moments).max(axis=2)
-        for axis in range(loads.shape[2]):
-            members = np.flatnonzero(loads[..., axis].any(axis=1))
-            if not members.size:
-                continue
-            start, end, largest = moments[:, members, 0, axis], moments[:, members, 1, axis], tops[:, members, axis]
-            for at, share in enumerate(STATIONS[1:-1], start=1):
-                inside = share * end - (1.0 - share) * start + loads[members, at, axis]
-                np.maximum(largest, np.abs(inside, out=inside), out=largest)
-            tops[:, members, axis] = largest
+    def _largest_moments(self, moments: np.ndarray, members: np.ndarray) -> np.ndarray:
+        """The largest moments of members by axis, (k, axes), of those at their ends, (k, 2, axes), and loads inside."""
+        tops = np.maximum(np.abs(moments[:, 0]), np.abs(moments[:, 1]))
+        for axis in range(self._axes):
+            at = np.flatnonzero(self._load_tops[members, axis] > 0.0)
+            start, end = moments[at, 0, axis, None], moments[at, 1, axis, None]
+            share = STATIONS[1:-1]
+            inside = share * end - (1.0 - share) * start + self._loads[members[at], 1:-1, axis]
+            tops[at, axis] = np.maximum(tops[at, axis], np.abs(inside).max(axis=1))
         return np.asarray(tops)
 
     def store(self, group: Group, abscissa: str, unit: str) -> None:
         """Add the largest uses, where they occur and the forces there to the group; see `Observer`."""
-        if self._of_sections is None:
+        if self._ends is None:
             return
         kinds: list[tuple[str, tuple[str, ...], Largest, str]] = [
             ("section_use", ("member", "end"), self._section_use, "N, V and M at the end of the member")
@@ -173,23 +201,19 @@ def by_axis_of(dims: tuple[str, ...]) -> tuple[str, ...]:
     return tuple("station" if dim == "end" else dim for dim in dims)
 
 
-def _some(every: tuple[np.ndarray, ...], chosen: np.ndarray) -> tuple[np.ndarray, ...]:
-    """Forces of chosen members."""
-    return every if chosen.size == every[0].shape[1] else tuple(of[:, chosen] for of in every)
+def _some(values: np.ndarray, chosen: np.ndarray) -> np.ndarray:
+    """Columns that are chosen."""
+    return values if chosen.size == values.shape[1] else values.take(chosen, axis=1)
 
 
-def _of_ends(every: tuple[np.ndarray, ...], rows: np.ndarray, places: np.ndarray) -> np.ndarray:
-    """Internal forces N, V and M at ends in steps, (k, 1 + 2 axes)."""
-    members, ends = places // 2, places % 2
-    axial, shear, moment = (of[rows, members, ends] for of in every)
-    return np.concatenate([axial[:, None], shear, moment], axis=1) * _INSIDE[ends][:, None]
-
-
-def _of_members(every: tuple[np.ndarray, ...], rows: np.ndarray, places: np.ndarray) -> np.ndarray:
-    """Internal forces N, V and M at both ends of members in steps, (k, 2 (1 + 2 axes))."""
-    axial, shear, moment = (of[rows, places] for of in every)
-    whole = np.concatenate([axial[..., None], shear, moment], axis=2) * _INSIDE[:, None]
-    return np.asarray(whole.reshape(len(rows), 2 * whole.shape[-1]))
+def _largest_first(
+    total: np.ndarray, chosen: np.ndarray, least: Callable[[], np.ndarray]
+) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+    """Rows and places where a sum over chosen places passes what it must: of each its largest, then those left."""
+    yield total.argmax(axis=0), chosen
+    rows, at = np.divmod(np.flatnonzero(total > least()[chosen]), chosen.size)
+    if rows.size:
+        yield rows, chosen[at]
 
 
 class BraceUse:
