@@ -70,7 +70,11 @@ def design_rows(building: Building, results: BuildingResults) -> Rows:
     capped = "at most the elastic one" if design.displacement == "elastic_cap" else "without the elastic cap"
     rows.append(("Displacements", "mu_d d_e" if rules.clauses else f"q d_e, {capped}"))
     rows.append(("Drift limit", "none" if drift.limit == "none" else _drift(building, drift)))
-    rows.append(("Partial factors", ", ".join(f"gamma_{name} = {value:g}" for name, value in vars(factors).items())))
+    partial = [f"gamma_{name} = {value:g}" for name, value in vars(factors).items()]
+    if any(load.G2 for load in building.loads.items) and building.design_hazard is not None:
+        of_actions = national_of(building.design_hazard).action_factors
+        partial.append(f"gamma_G2 = {of_actions.G2_sup:g}, favourable {of_actions.G2_inf:g}")
+    rows.append(("Partial factors", ", ".join(partial)))
     rows.append(("Overstrength", f"gamma_ov = {design.overstrength:g}"))
     if left := _left_to_the_country(building):
         rows.append(("National values", f"{', '.join(left)}: {_whose(building)}"))
