@@ -285,9 +285,9 @@ def test_a_row_of_plane_frames(along: str, braces: str, monkeypatch: pytest.Monk
     whole, direction = regular(along, braces), "xy".index(along)
     plane, space = plane_frame(whole, along, monkeypatch), build_building(whole)
     lines = ("A1", "B1", "C1") if along == "x" else ("A1", "A2", "A3")
-    expected = responses(plane, 0, 1.0, lines, ("C_A1_1", "B_1_1"), 1.0)
-    # local y of a beam in space points away from who sees its frame with the axis to the right
     members = ("C_A1_1", "BX_1_1_1" if along == "x" else "BY_A_1_1")
+    expected = responses(plane, 0, 1.0, lines, members, 1.0)
+    # local y of a beam in space points away from who sees its frame with the axis to the right
     found = responses(space, direction, 2.0, lines, members, -1.0)
     np.testing.assert_allclose(found[0], expected[0], rtol=1e-9)
     sizes = {name: max(np.abs(run.values[name]).max() for run in expected[1]) for name in expected[1][0].values}

@@ -10,7 +10,7 @@ from edesign.frame.sections.tapered import tapered_name
 from edesign.project.building.building import Building
 from edesign.project.building.layout import ways
 from edesign.project.building.members import BeamRun, BraceRun, ColumnRun
-from edesign.project.building.names import BeamPlace, BracePlace
+from edesign.project.building.names import BracePlace, column_name, node_name
 from edesign.project.frame.materials import ElasticMaterial, Material, MenegottoPintoMaterial, with_stiffness
 from edesign.project.frame.member_design import MemberStability, SteelFactors
 from edesign.project.frame.sections import BoxSection, PlateSection, RectangleSection
@@ -101,15 +101,7 @@ class _ProjectText:
     def head(self) -> list[str]:
         row = self.row
         text = [f"# {row.name[0].upper()}{row.name[1:]} of the building."]
-        text.append("# Lines and columns have their names in the building, beams count from the left.")
-        n_bays = len(row.frames[0].lines) - 1
-        for frame, start in zip(row.frames, row.starts, strict=True):
-            beam = str(BeamPlace(row.along, frame.number, 1, 1, row.building.axes))
-            if row.alone is not None:
-                text.append(f"# Beam B_1_1 is {beam}, and so are the others.")
-            else:
-                bays = f"Bays {start + 1} to {start + n_bays}" if n_bays > 1 else f"Bay {start + 1}"
-                text.append(f"# {bays}: frame {frame.name}, B_{start + 1}_1 is its beam {beam}.")
+        text += self._reading()
         text.append("# Beams carry their loads where these act, nodes what beams at right angles bring.")
         if without := left_out(self.building):
             stands = "The frame stands on its supports. " if self.building.isolation is not None else ""
@@ -118,6 +110,29 @@ class _ProjectText:
         if any(not run.in_compression for frame in row.frames for run in frame.braces.values()):
             text.append("# Of diagonals that do not count in compression each has half its area, as in the building.")
         return [*text, "", "edesign: 1", f"title: {yaml_text(f'{self.building.title}, {row.name}')}", ""]
+
+    def _reading(self) -> list[str]:
+        """How results are read against the plans of the building."""
+        row, first = self.row, self.row.frames[0]
+        storey = min(storey for _, storey in first.columns)
+        line = first.lines[min(i for i, s in first.columns if s == storey)]
+        told = f"{column_name(line, storey)} is the column on line {line} in storey {storey}"
+        text = [
+            "# Members and nodes of its results have their names in the plans of the building:",
+            f"# {told}, {node_name(line, storey)} the node above it.",
+        ]
+        if first.beams:
+            beam = next(iter(first.beams))
+            where = f"bay {beam.bay} of frame {first.name} at floor {beam.floor}"
+            text.append(f"# {beam} is the beam in {where}; what else stands in a bay is named likewise.")
+        if row.alone is not None:
+            return [*text, "# Selections in this file take lines by these names too, and bays from the left."]
+        n_bays = len(first.lines) - 1
+        bays = [
+            f"{start + 1} to {start + n_bays} {frame.name}" if n_bays > 1 else f"{start + 1} {frame.name}"
+            for frame, start in zip(row.frames, row.starts, strict=True)
+        ]
+        return [*text, f"# Selections in this file count bays through: {', '.join(bays)}."]
 
     def _leaning_text(self) -> list[str]:
         others, along = parallel_frames(self.row.frames[0]), self.row.along

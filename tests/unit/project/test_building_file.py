@@ -185,9 +185,7 @@ def test_selections_of_column_lines(written: Any, lines: str) -> None:
     assert " ".join(map(str, parse_column_lines(written).lines(3, 2, PLAIN_AXES))) == lines
 
 
-@pytest.mark.parametrize(
-    "written", ["", "A1-B", "1-A", "A1-", "-", "a1", "A-B-C", None, True, 1.5, [], [[]], {}]
-)
+@pytest.mark.parametrize("written", ["", "A1-B", "1-A", "A1-", "-", "a1", "A-B-C", None, True, 1.5, [], [[]], {}])
 def test_what_is_no_selection_of_column_lines(written: Any) -> None:
     with pytest.raises(ValueError):
         parse_column_lines(written)

@@ -46,7 +46,7 @@ def test_the_interior_frame_of_the_thesis(thesis: Building) -> None:
     node more: what two secondary beams a bay weigh (about 36 kg/m), which Table 5.1 does not have.
     """
     project = extracted(thesis, "X2")
-    mean_Q, mean_G = (beam_loads(project, factors)["B_2_3"].total(7.2) / 7.2 for factors in (Q, G))
+    mean_Q, mean_G = (beam_loads(project, factors)["BX_2_2_3"].total(7.2) / 7.2 for factors in (Q, G))
     assert mean_Q == pytest.approx(9.6e3, rel=DIGITS)
     assert mean_G == pytest.approx(22.36e3, rel=1e-3)  # mass of tables: three digits
     mass = node_masses(project)["C2.3"]
@@ -56,7 +56,7 @@ def test_the_interior_frame_of_the_thesis(thesis: Building) -> None:
     assert mass + secondary == pytest.approx(29.5e3, rel=0.02)
     assert mean_G + 2.0 * 36.1 * STANDARD_GRAVITY == pytest.approx(23e3, rel=0.02)
     assert project.frame.column_at["E2", 6].section == "HEB360"
-    assert project.frame.released == {f"B_2_{floor}": (True, True) for floor in range(1, 11)}
+    assert project.frame.released == {f"BX_2_2_{floor}": (True, True) for floor in range(1, 11)}
     assert project.hazard is not None and list(project.hazard.levels) == ["DBE"]
 
 
@@ -64,10 +64,10 @@ def test_loads_of_secondary_beams_act_at_their_places(thesis: Building) -> None:
     """Two bring 4.5 and 2 kN/m2 of 2.4 m by 7.2 m each to the third points; along the beam there is its weight."""
     project = extracted(thesis, "X2")
     for factors, load in ((G, 4.5e3), (Q, 2.0e3)):
-        (first, second) = beam_loads(project, factors)["B_2_3"].points
+        (first, second) = beam_loads(project, factors)["BX_2_2_3"].points
         assert first == pytest.approx((1.0 / 3.0, load * 2.4 * 7.2), rel=DIGITS)
         assert second == pytest.approx((2.0 / 3.0, load * 2.4 * 7.2), rel=DIGITS)
-    assert beam_loads(project, G)["B_2_3"].uniform == pytest.approx(77.6 * STANDARD_GRAVITY, rel=1e-3)
+    assert beam_loads(project, G)["BX_2_2_3"].uniform == pytest.approx(77.6 * STANDARD_GRAVITY, rel=1e-3)
 
 
 def test_loads_of_a_beam_in_two_halves_act_at_their_places() -> None:
@@ -79,7 +79,7 @@ def test_loads_of_a_beam_in_two_halves_act_at_their_places() -> None:
     whole = building(chevrons, ("  areas:", f"{loaded}\n  areas:"))
     project = extracted(whole, "YA")
     points = {name: load.points for name, load in beam_loads(project, G).items() if load.points}
-    whole_beam, halves = points.pop("B_2_1"), [points[name] for name in sorted(points)]
+    whole_beam, halves = points.pop("BY_A_2_1"), [points[name] for name in sorted(points)]
     assert [at for at, _ in whole_beam] == pytest.approx([0.2, 0.5, 0.8], rel=DIGITS)
     assert [at for half in halves for at, _ in half] == pytest.approx([0.4, 1.0, 0.6], rel=DIGITS)
     assert all(force == pytest.approx(8e3, rel=DIGITS) for half in (whole_beam, *halves) for _, force in half)
@@ -212,7 +212,7 @@ def test_ends_of_members_are_carried() -> None:
     whole = building(soft + ENDS)
     along_x, along_y = extracted(whole, "X1"), extracted(whole, "YA")
     (hinges,) = along_x.hinges
-    assert list(along_x.frame.members_in(hinges.beams, None)) == [("B_2_1",) * 2, ("B_2_2",) * 2]
+    assert list(along_x.frame.members_in(hinges.beams, None)) == [("BX_1_2_1",) * 2, ("BX_1_2_2",) * 2]
     assert isinstance(hinges.parameters, HingeValues)
     assert (hinges.parameters.M_y, hinges.parameters.hogging.M_y) == (0.2e6, 0.1e6)
     (joint,) = along_x.joints

@@ -127,7 +127,7 @@ def test_extracted_braces_buckle_about_their_weak_axis(section: str) -> None:
     """A diagonal of 6 m by 4 m in storey 1: lambda = L / (93.9 epsilon i) with E = 210 GPa, curve a of hot tubes."""
     whole = two_frames(("section: SHS120x6", f"section: {section}"), braces="kind: cross, compression: true")
     project = extracted(whole)
-    bar = next(bar for bar in make_frame(project).bars if bar.name == "D_1_1_r")
+    bar = next(bar for bar in make_frame(project).bars if bar.name.endswith("_1_1_r"))
     assert bar.strut is not None and bar.section == section
     shape, length = steel_section(section), np.hypot(6.0, 4.0)
     slenderness = length / shape.i_z / (93.9 * np.sqrt(235.0 / 355.0))

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from operator import itemgetter
 
+from edesign.project.notation.names import beam_name, brace_name, damper_names
 from edesign.project.project import Project
 from edesign.report.archive_view import results
 from edesign.report.html.section import Facts, Folded, Heading, Part, Section
@@ -65,7 +66,20 @@ def _names(project: Project) -> tuple[tuple[str, str], ...]:
     if lines is None:
         return NAMES
     column = f"C_{lines[1]}_3 stands on line {lines[1]} in storey 3; the lines are {', '.join(lines)}, as in the plans."
-    return (("Columns", column), *NAMES[1:])
+    if not project.frame.in_building:
+        return (("Columns", column), *NAMES[1:])
+    frame = project.frame.in_building[0]
+    bay = f"bay 2 of frame {frame}"
+    return (
+        ("Columns", column),
+        ("Beams", f"{beam_name(2, 3, frame)} is in {bay} at floor 3, as in the building."),
+        (
+            "Dampers",
+            f"{damper_names('chevron', 2, 3, frame)[0]} is a chevron in {bay} and storey 3; R rises, F falls, S is "
+            "between floors, I is an isolator.",
+        ),
+        ("Braces", f"{brace_name(2, 3, 'r', frame)} is in {bay} and storey 3, and rises from left to right; f falls."),
+    )
 
 
 def _of_frames(source: Source, frames: VariantFrames) -> list[Part]:
