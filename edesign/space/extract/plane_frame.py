@@ -242,12 +242,11 @@ def plane_frame(building: Building, space: SpaceFrame, name: str) -> PlaneFrame:
     Raises:
         InputError: there is no such frame.
     """
-    asked = name.strip()
-    for along in DIRECTIONS:
-        for number in range(building.n_frames(along)):
-            if asked in (own := frame_name(along, number, building.axes), own.upper()):
-                return PlaneFrame(building, space, along, number)
     names = {a: [frame_name(a, i, building.axes) for i in range(building.n_frames(a))] for a in DIRECTIONS}
+    for alike in (str, str.upper):  # 2a and 2A may both be lines
+        for along, of in names.items():
+            if alike(name.strip()) in (known_by := [alike(one) for one in of]):
+                return PlaneFrame(building, space, along, known_by.index(alike(name.strip())))
     known = " and ".join(f"{of[0]} to {of[-1]}" for of in names.values())
     raise InputError(
         f"{building.path}: there is no frame `{name}`; the frames are {known}; X and Y are all of a direction"
