@@ -334,7 +334,6 @@ def corners(panel: Panel, axes: GridAxes) -> tuple[ColumnLine, ...]:
 
     Args:
         panel: the bay: its numbers along x and along y, from 1.
-        axes: names of the grid lines.
     """
     i, j = panel
     return tuple(ColumnLine(a, b, axes) for b in (j - 1, j) for a in (i - 1, i))
@@ -346,7 +345,6 @@ def edges(panel: Panel, floor: int, axes: GridAxes) -> tuple[BeamPlace, BeamPlac
     Args:
         panel: the bay: its numbers along x and along y, from 1.
         floor: number of the floor; 0 is the base.
-        axes: names of the grid lines.
     """
     i, j = panel
     return (

@@ -73,7 +73,6 @@ def bay_lines(along: Direction, frame: int, bay: int, axes: GridAxes) -> tuple[C
         along: direction of the frame, x or y.
         frame: number of the frame, from 0.
         bay: number of the bay, from 1.
-        axes: names of the grid lines.
     """
     if along == "x":
         return ColumnLine(bay - 1, frame, axes), ColumnLine(bay, frame, axes)
@@ -86,7 +85,6 @@ def line_label(along: Direction, frame: int, axes: GridAxes) -> str:
     Args:
         along: direction of the frame, x or y.
         frame: number of the frame, from 0.
-        axes: names of the grid lines.
     """
     return axes.name("y" if along == "x" else "x", frame)
 
@@ -97,7 +95,6 @@ def frame_name(along: Direction, frame: int, axes: GridAxes) -> str:
     Args:
         along: direction of the frame, x or y.
         frame: number of the frame, from 0.
-        axes: names of the grid lines.
     """
     return along.upper() + line_label(along, frame, axes)
 

@@ -27,11 +27,7 @@ class ColumnLineItem:
     y: tuple[str, str] | None
 
     def spans(self, axes: GridAxes) -> Iterator[tuple[Direction, Span | None]]:
-        """Yield directions with the numbers of the first and last grid lines across them; None: there is no such line.
-
-        Args:
-            axes: names of the grid lines.
-        """
+        """Yield directions with the numbers of the first and last grid lines across them; None: there is no such line."""
         if self.x is not None:
             yield "x", axes.span("x", self.x)
         if self.y is not None:
@@ -62,7 +58,6 @@ class ColumnLineSelection:
         Args:
             n_x: number of lines along x.
             n_y: number of lines along y.
-            axes: names of the grid lines.
         """
         return (line for i in range(n_x) for j in range(n_y) if (line := ColumnLine(i, j, axes)) in self)
 

@@ -12,9 +12,7 @@ def check_axes(keys: Keys, names: Sequence[str], n_lines: int, problems: Problem
     """Check that each line has one name, and no two the same.
 
     Args:
-        keys: of the names.
         names: of the lines in their order.
-        n_lines: number of the lines.
     """
     if len(names) != n_lines:
         message = f"{counted(len(names), 'name')} for {counted(n_lines, 'line')}; one for each is needed"

@@ -70,7 +70,6 @@ class GridAxes:
 
         Args:
             across: direction that the lines cross.
-            ends: names of the first and the last.
         """
         first, last = (self.number(across, name) for name in ends)
         return None if first is None or last is None else (first, last)

@@ -25,11 +25,7 @@ class FrameItem:
     ends: tuple[str, str]
 
     def span(self, axes: GridAxes) -> Span | None:
-        """Return the numbers of the first and the last frame; None: there is no such frame.
-
-        Args:
-            axes: names of the grid lines.
-        """
+        """Return the numbers of the first and the last frame; None: there is no such frame."""
         return axes.span("y" if self.along == "x" else "x", self.ends)
 
 
@@ -45,11 +41,7 @@ class FrameSelection:
         return not self.items
 
     def numbers(self, count: int, axes: GridAxes) -> tuple[int, ...]:
-        """Return the selected ones of the frames 0 to count - 1 of a direction.
-
-        Args:
-            axes: names of the grid lines.
-        """
+        """Return the selected ones of the frames 0 to count - 1 of a direction."""
         spans = [span for item in self.items if (span := item.span(axes)) is not None]
         return tuple(n for n in range(count) if self.is_all or any(a <= n <= b for a, b in spans))
 
