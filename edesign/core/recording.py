@@ -16,7 +16,8 @@ from edesign.core.response import ENERGIES, Channel, EnergyBalance, Watch
 PIECE = 4096
 """Steps from one taking over to the next at most: what it costs is then far below a step, and 50 channels need 2 MB."""
 _WATCHED_NUMBERS = 2**19
-"""Of all written channels, from one taking over to the next, where some are watched, 4 MB: fewer, and what watches costs more a step; more, and it waits for memory."""
+"""Of all written channels, from one taking over to the next, where some are watched: 4 MB. Measured: fewer cost
+more calls of what watches, and more gain nothing."""
 
 
 class Recording:

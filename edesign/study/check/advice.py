@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from edesign.errors import AnalysisError
 from edesign.frame.frame_model import FrameModel
@@ -187,6 +187,23 @@ def study_warnings(study: Study, plan: Sequence[Task], records: Mapping[str, Rec
     found += [*drift_limits(study), *repeated_recordings(records)]
     found += [*_equal_variants(study), *_mixed_motions(study, plan)]
     return [*found, *variant_warnings(study, plan), *pattern_warnings(study.pushovers)]
+
+
+def unbuckled_members(project: AnalysisFile, plan: Sequence[Task], designs: Collection[str] = ()) -> list[str]:
+    """Say that members beside dampers are checked by their sections alone, where the file has no `design`.
+
+    Args:
+        plan: of the project or of a study of it.
+        designs: names of those of the study.
+    """
+    shaken = any(isinstance(task.spec, HistoryAnalysis) for task in plan)
+    yields = any(not isinstance(material, ElasticMaterial) for material in project.materials.values())
+    if project.design is not None or not (shaken and yields and (designs or laws_that_stand(project))):
+        return []
+    return [
+        "design: without it, histories check members under damper forces by their sections alone; `design` in "
+        f"{project.path.name} adds buckling (EN 1993-1-1, 6.3)"
+    ]
 
 
 def _equal_variants(study: Study) -> list[str]:

@@ -31,7 +31,13 @@ from edesign.study.analysis.dampers import (
 )
 from edesign.study.analysis.modal import fundamental_period
 from edesign.study.analysis.structure import make_frame
-from edesign.study.check.advice import named_record_warnings, project_warnings, study_warnings, unjudged
+from edesign.study.check.advice import (
+    named_record_warnings,
+    project_warnings,
+    study_warnings,
+    unbuckled_members,
+    unjudged,
+)
 from edesign.study.check.check import check_inputs, check_study_inputs, checked_structure, standing_beside
 from edesign.study.check.criteria_inputs import too_few_motions
 from edesign.study.check.histories import histories_text
@@ -77,6 +83,7 @@ def check_project(project: AnalysisFile) -> dict[str, str]:
     periods = _periods(project)
     recorded = {name: item.record for name, item in found.items()}
     warnings = [*project_warnings(project, recorded), *named_record_warnings(recorded), *_scales(project, plan, found)]
+    warnings += unbuckled_members(project, plan)
     warnings += _failed_choices(project, found)
     facts = {
         **_described(project),
@@ -135,6 +142,7 @@ def check_study(study: Study) -> dict[str, str]:
     recorded = {name: item.record for name, item in found.items()}
     warnings = [*study_warnings(study, plan, recorded), *named_record_warnings(recorded), *unjudged(study, plan)]
     warnings += [*_scales(study.base, plan, found), *_failed_choices(study.base, found)]
+    warnings += unbuckled_members(study.base, plan, study.designs)
     placements, factors = [], factors_in_force(study, study.hazard)
     sized: dict[str, Standing | None] = {}
     for name in wanted_designs(study, plan):

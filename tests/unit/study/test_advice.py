@@ -52,6 +52,17 @@ def test_warnings(tmp_path: Path, old: str, new: str, said: str) -> None:
     assert said in found["warnings"]
 
 
+def test_dampers_without_a_design_of_members_are_told(tmp_path: Path) -> None:
+    (tmp_path / "pulse.csv").write_text("0\n0.1\n0.2\n0.1\n0\n-0.1\n-0.2\n-0.1\n0\n")
+    braces = "  braces: [{bays: 1, storeys: 1, kind: cross, section: rod, material: S275}]\n"
+    law = "{oil: {type: viscous, parameters: {c: 50 kN*s/m, exponent: 1}}}"
+    runs = "[{kind: rising, bays: 1, storeys: all, law: oil, brace: rigid}]"
+    damped = TEXT.replace(braces, "") + f"dampers: {{laws: {law}, devices: {runs}}}\n"
+    said = "design: without it, histories check members under damper forces by their sections alone"
+    assert said in check_project(project(damped, tmp_path / "project.yaml"))["warnings"]
+    assert said not in check_project(project(damped + "design: {}\n", tmp_path / "project.yaml")).get("warnings", "")
+
+
 def test_a_sound_frame_has_no_warnings(tmp_path: Path) -> None:
     (tmp_path / "pulse.csv").write_text("0\n0.1\n0.2\n0.1\n0\n-0.1\n-0.2\n-0.1\n0\n")
     braces = "  braces: [{bays: 1, storeys: 1, kind: cross, section: rod, material: S275}]\n"
