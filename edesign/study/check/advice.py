@@ -194,7 +194,6 @@ def unbuckled_members(project: AnalysisFile, plan: Sequence[Task], designs: Coll
 
     Args:
         plan: of the project or of a study of it.
-        designs: names of those of the study.
     """
     shaken = any(isinstance(task.spec, HistoryAnalysis) for task in plan)
     yields = any(not isinstance(material, ElasticMaterial) for material in project.materials.values())
