@@ -27,7 +27,7 @@ class ColumnLineItem:
     y: tuple[str, str] | None
 
     def spans(self, axes: GridAxes) -> Iterator[tuple[Direction, Span | None]]:
-        """Yield directions with the numbers of the first and last grid lines across them; None: there is no such line."""
+        """Yield directions with the first and last grid line across each; None: there is no such line."""
         if self.x is not None:
             yield "x", axes.span("x", self.x)
         if self.y is not None:

@@ -12,6 +12,7 @@ from edesign.ground_motion.hazard import elastic_spectrum, objective_level
 from edesign.project.actions.hazard import EC8Hazard, NtcHazard
 from edesign.project.building.building import Building
 from edesign.project.building.design import Drift
+from edesign.space.structure.design_block import design_of
 
 OBJECTIVES = ("h", "l")
 """The basic safety objective. Source: FEMA 356, Table C1-1 (letters of thesis Table 5.4)."""
@@ -72,7 +73,7 @@ def study_limits(building: Building, drift: float | None = None) -> StudyLimits:
         InputError: as `study_hazard`, or the action lacks a limit state of NTC 2018.
     """
     hazard = study_hazard(building)
-    design = building.design
+    design = None if building.design is None else design_of(building)
     given = Drift() if design is None or design.drift.limit == "none" else design.drift
     if isinstance(hazard, NtcHazard):
         return _by_ntc(building, hazard, given, drift)
