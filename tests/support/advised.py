@@ -1343,6 +1343,9 @@ LEFT = {
     "it is of designs by NTC 2018; tests/unit/space/test_ntc_buildings.py provokes it": (
         "; both are of one code, as with", "take this key out of a design by `ntc-2018`",
     ),
+    "it is of NTC 2018; tests/unit/space/test_non_structural_loads.py, test_extracted_study.py provoke it": (
+        "`G2` is missing beside", "so give them as `G`", "; add one with `match: {level:",
+    ),
     "it is of floors and diaphragms of buildings; tests/unit/project/test_building_bad_input.py provokes it": (
         "or leave `design` out", "give `rz: fixed`, or stiffnesses along x and y",
         "all directions are `free`; leave this entry out",
