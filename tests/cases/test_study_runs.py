@@ -231,7 +231,7 @@ def test_details_are_kept_of_the_records_that_are_named(archive: Path) -> None:
 
 def test_check_reports_what_a_run_would_do(study: Path, call: Caller) -> None:
     checked = call("check", study)
-    assert checked.code == 0 and checked.out.endswith("ok, with 7 warnings\n") and checked.err == ""
+    assert checked.code == 0 and checked.out.endswith("ok, with 8 warnings\n") and checked.err == ""
     assert "design added, first round: the dampers reach 5" in checked.out  # thin layers; the design counts on 20 %
     for text in ("designs: added (strain_energy)", "variants: bare, damped, upper, warm", "bare.DBE (3)"):
         assert text in " ".join(checked.out.split())
@@ -244,7 +244,8 @@ def test_show_prints_the_same_as_the_run(
     shown = call("show", archive)
     lines = reported.stdout.splitlines()
     assert shown.code == 0 and shown.out.splitlines()[2:] == lines[2:-1]  # all but the path and the time
-    assert "What governs." in shown.out
+    assert "1 of them had no room here: Storey and column that grow most" in " ".join(shown.out.split())
+    assert "\nWhat governs\n" in shown.out and "\nUse of members under" in shown.out
     whole = call("show", archive, "--all")
     assert "diff. of damped at 35 degC, DBE: over the 1 record that bare, DBE has too" in whole.out
     assert set(statuses(archive).values()) == {"completed"} and len(statuses(archive)) == PLANNED

@@ -122,7 +122,8 @@ def _of_study(archive: Archive, study: Study, groups: dict[str, Group]) -> list[
         tables.append(verdicts)
         governing += others
     shown = not_swept(study, sets)
-    tables += [response_in_short(shown), use_in_short(shown, study.base.hazard), changes_in_short(shown), *governing]
+    use = use_in_short(shown, study.base.hazard)
+    tables += [response_in_short(shown), use, *governing, changes_in_short(shown)]
     tables += [isolation_statistics_table(sets), *derived_tables(study, sets)]
     tables.append(states_table(study.base, groups, study, STATES_IN_SHORT))
     return tables + incremental_tables(archive, groups)

@@ -30,7 +30,7 @@ from edesign.study.results.warnings import warnings_of
 
 SCREEN = 40  # lines
 LAST = 2  # of them for the line that says where the rest is
-LEAST = 5  # tables, however long they are
+LEAST = 6  # tables, however long they are: of a study to what governs
 HEADING = TableSpec[tuple[str, str]](
     "heading",
     "{title}",
@@ -108,7 +108,7 @@ def heading(archive: Archive) -> Table:
 
 
 def short_tables(archive: Archive) -> list[Table]:
-    """Return the main tables of an archive: of a study verdicts, means of the main measures, and governing histories.
+    """Return the main tables of an archive: of a study verdicts, means of measures, uses, what governs.
 
     They take one screen: `SCREEN` lines of 80 characters.
 

@@ -15,6 +15,7 @@ from edesign.project.analysis.damping import RayleighDamping, StiffnessDamping
 from edesign.project.analysis.pushover import Pushover, pattern_name
 from edesign.project.analysis.shaking import IN_PLACE
 from edesign.project.analysis_file import AnalysisFile
+from edesign.project.building.building import Building
 from edesign.project.checks.designs import design_warnings
 from edesign.project.checks.placement import placement_warnings
 from edesign.project.criteria.criteria import LimitCriterion
@@ -195,6 +196,7 @@ def unbuckled_members(project: AnalysisFile, plan: Sequence[Task], designs: Coll
     Args:
         plan: of the project or of a study of it.
     """
+    assert isinstance(project, Project | Building)
     shaken = any(isinstance(task.spec, HistoryAnalysis) for task in plan)
     yields = any(not isinstance(material, ElasticMaterial) for material in project.materials.values())
     if project.design is not None or not (shaken and yields and (designs or laws_that_stand(project))):

@@ -81,14 +81,13 @@ class MemberUse:
         if not self._judged.all():
             every = [of[:, self._judged] for of in every]
         peaks = [np.maximum(of.max(axis=0), -of.min(axis=0)) for of in every]
-        self._see_ends(abscissas, *(of.reshape(len(of), -1, of.shape[3]) for of in every), peaks)
+        self._see_ends(abscissas, [of.reshape(len(of), -1, of.shape[3]) for of in every], peaks)
         if self._of_members is not None:
-            self._see_members(abscissas, *every, peaks)
+            self._see_members(abscissas, every, peaks)
 
-    def _see_ends(
-        self, abscissas: np.ndarray, N: np.ndarray, V: np.ndarray, M: np.ndarray, peaks: Sequence[np.ndarray]
-    ) -> None:
+    def _see_ends(self, abscissas: np.ndarray, every: Sequence[np.ndarray], peaks: Sequence[np.ndarray]) -> None:
         assert self._ends is not None
+        N, _, M = every
         weak, largest = self._weak_ends, self._section_use
         of_N, of_V, of_M = (of.reshape(weak.size, -1) for of in peaks)
         peak = Forces(of_N[:, 0], *self._by_axis(of_M, weak), *self._shear(of_V, weak))
@@ -100,7 +99,7 @@ class MemberUse:
         for axis in range(self._axes):
             total += np.abs(_some(M[..., axis], chosen)) * per_M[chosen, axis]
         for rows, places in _largest_first(total, chosen, lambda: largest.least(reached)):
-            forces = [of[rows, places] for of in (N, V, M)]
+            forces = [of[rows, places] for of in every]
             about, ends = weak[places], self._ends.of(places)
             V_y_z = self._shear(np.abs(forces[1]), about)
             acting = Forces(
@@ -109,10 +108,9 @@ class MemberUse:
             internal = np.concatenate(forces, axis=1) * _INSIDE[places % 2][:, None]
             largest.see(abscissas[rows], places, ends, acting, internal)
 
-    def _see_members(
-        self, abscissas: np.ndarray, N: np.ndarray, V: np.ndarray, M: np.ndarray, peaks: Sequence[np.ndarray]
-    ) -> None:
+    def _see_members(self, abscissas: np.ndarray, every: Sequence[np.ndarray], peaks: Sequence[np.ndarray]) -> None:
         assert self._of_members is not None
+        N, _, M = every
         weak, largest, of_N, of_M = self._weak, self._member_use, peaks[0].max(axis=(1, 2)), peaks[2].max(axis=1)
         peak = Forces(of_N, *self._by_axis(of_M + self._load_tops, weak))
         per_N, per_M, reached = self._ceiling(self._of_members, peak, weak)
@@ -127,7 +125,7 @@ class MemberUse:
             start, end = (np.abs(_some(M[:, :, at, axis], chosen)) for at in range(2))
             total += np.maximum(start, end, out=start) * per_M[chosen, axis]
         for rows, places in _largest_first(total, chosen, lambda: largest.least(reached) - inside):
-            forces = [of[rows, places] for of in (N, V, M)]
+            forces = [of[rows, places] for of in every]
             tops, members = self._largest_moments(forces[2], places), self._of_members.of(places)
             compression = np.maximum(forces[0][:, 0, 0], -forces[0][:, 1, 0])
             internal = (np.concatenate(forces, axis=2) * _INSIDE[:, None]).reshape(len(rows), -1)
