@@ -1306,6 +1306,7 @@ LEFT = {
         "with `scaling: none` every factor is 1", "with `dampers: false` it", "a variant with `dampers: none`",
         "this is what is compared with the spectrum of the hazard by `match`",
         "it is of a frame that may yield: `structure: {", "`standard: ",
+        "names no frame of a building; write", "names no line across x; write", "names no line across y; write",
     ),
     "it is reported of values in Python, not of a file": (
         "was not read from a file or text", "; give a new one as a whole", "yet; give it as a whole", "give text such as `100 GPa`",

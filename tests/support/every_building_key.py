@@ -6,7 +6,7 @@ EVERY_KEY = """\
 edesign_building: 1
 title: Every key
 document: {client: C, project_number: "07", author: A. B., checker: C. D., revision: "02", date: 2026-05-04, notes: N}
-plan: {x: [6 m, 5 m], y: {count: 2, width: 5 m}}    # lines A to C, 1 to 3
+plan: {x: [6 m, 5 m], y: {count: 2, width: 5 m}, axes: {x: [A, B, C], y: [1, 2, 3]}}
 storeys: [4 m, 3.5 m, 3 m]
 setbacks:
   - {floors: 3, bays: [{x: 1, y: all}]}
@@ -167,7 +167,7 @@ design:
 
 OTHER_FORMS = (
     EVERY_KEY.replace(
-        "plan: {x: [6 m, 5 m], y: {count: 2, width: 5 m}}", "plan: {x: {count: 2, width: 6 m}, y: [5 m, 5 m]}"
+        "plan: {x: [6 m, 5 m], y: {count: 2, width: 5 m}", "plan: {x: {count: 2, width: 6 m}, y: [5 m, 5 m]"
     )
     .replace("storeys: [4 m, 3.5 m, 3 m]", "storeys: {count: 3, height: 3.5 m}")
     .replace(

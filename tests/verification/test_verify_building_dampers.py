@@ -87,9 +87,8 @@ def test_a_row_of_plane_frames_with_dampers(along: str, kind: str, monkeypatch: 
     plane = plane_with_dampers(bare, along, dampers(kind, "", 1.5, ""), monkeypatch)
     names = [device.name for device in plane.devices]
     lines = ("A1", "B1", "C1") if along == "x" else ("A1", "A2", "A3")
-    frame = "X_1" if along == "x" else "Y_A"
     expected = shaken(plane, 0, 1.0, lines, names)
-    found = shaken(space, direction, 2.0, lines, [f"{name[0]}{frame}{name[1:]}" for name in names])
+    found = shaken(space, direction, 2.0, lines, names)
     sizes = {name: np.abs(values).max() for name, values in expected.values.items()}
     for name, values in expected.values.items():
         scale = max(size for other, size in sizes.items() if other.startswith(name.rstrip("0123456789 ")))

@@ -74,7 +74,7 @@ def both(ends: str, along: str, monkeypatch: pytest.MonkeyPatch, more: str = "")
     plane, space = make_frame(project.model_copy(update={"elements": elements})), build_building(whole)
     lines = ("A1", "B1", "C1") if along == "x" else ("A1", "A2", "A3")
     members = ("C_A1_1", "BX_1_1_1" if along == "x" else "BY_A_1_1")
-    expected = responses(plane, 0, 1.0, lines, ("C_A1_1", "B_1_1"), 1.0)
+    expected = responses(plane, 0, 1.0, lines, members, 1.0)
     return expected, responses(space, "xy".index(along), 2.0, lines, members, -1.0)
 
 

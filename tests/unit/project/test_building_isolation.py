@@ -24,7 +24,7 @@ def test_what_is_read() -> None:
     whole = building(ISOLATED)
     isolation = whole.isolation
     assert isolation is not None and whole.dampers is not None
-    assert isolation.isolators[0].under(("A1", "B1", "C3")) == ("A1", "C3")
+    assert isolation.isolators[0].under(("A1", "B1", "C3"), whole.grid) == ("A1", "C3")
     assert isolation.beside[0].axes == ("x",) and isolation.isolators[1].axes == ("x", "y")
     named = names_of_dampers(whole.grid, whole.dampers)
     frame = make_frame(whole, dampers=True)

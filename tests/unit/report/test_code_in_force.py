@@ -18,6 +18,7 @@ OF_BUILDINGS = ("report/building/",)  # their designs take the action of EN 1998
 METHODS = {
     # a method that is one code's own is named with it, whatever the action is
     "report/design/isolation_tables.py": "equivalent linear",  # the analysis of isolated bases, EN 1998-1, 10.9
+    "report/assessment/verdict_tables.py": "EN 1998-3 limit states",  # where a criterion asks for them
     "study/analysis/target.py": "EN 1998-1, 4.3.3.4.2.",  # printed of `method: n2` alone
     "study/check/advice.py": "N2: EN 1998-1",
     "study/design/estimate.py": "the lateral force method",  # of `method: simplified`
