@@ -48,7 +48,7 @@ def html_of(thing: object) -> str:
         return "".join(table._repr_html_() for table in _tables(thing))
     except EdesignError as error:
         return f"<p>{escape(str(error))}</p>"
-    except Exception as error:
+    except Exception as error:  # a display that fails would hide the object itself
         return f"<p>{escape(words_of_mistake(error))}</p>"
 
 

@@ -7,9 +7,10 @@ from collections.abc import Iterable, Sequence
 from functools import cache
 
 from edesign.codes.ec3.section import SteelSection
+from edesign.frame.sections.i_steel_section import i_steel_section
 from edesign.frame.sections.section import rectangle_section
 from edesign.frame.sections.space_section import box_torsion_constant, space_section
-from edesign.frame.sections.steel_section import i_steel_section, steel_section
+from edesign.frame.sections.steel_section import steel_section
 from edesign.project.building.building import Building
 from edesign.project.frame.sections import (
     ROUNDING,

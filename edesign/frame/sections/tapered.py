@@ -7,12 +7,13 @@ of 14 % and both radii. t_f is the thickness at a quarter of the width, with whi
 from __future__ import annotations
 
 import csv
+from dataclasses import replace
 from functools import cache
 from importlib import resources
 
 from edesign.codes.ec3.section import SteelSection
+from edesign.frame.sections.i_steel_section import i_steel_section
 from edesign.frame.sections.section_names import SectionName, SectionNames
-from edesign.frame.sections.torsion import i_torsion_constant
 
 _MM = 1e-3
 FAMILIES = {"IPN": "IPN", "INP": "IPN"}
@@ -62,23 +63,12 @@ def tapered(name: str) -> SteelSection:
     h, b, tw, tf, r, _, A, I_y, I_z, W_pl_y, W_pl_z = _table()[name]
     h, b, tw, tf, r = (_MM * size for size in (h, b, tw, tf, r))
     A, I_y, I_z, W_pl_y, W_pl_z = A * _MM**2, I_y * _MM**4, I_z * _MM**4, W_pl_y * _MM**3, W_pl_z * _MM**3
-    return SteelSection(
-        name=name,
-        kind="I",
-        cold_formed=False,
-        h=h,
-        b=b,
-        tw=tw,
-        tf=tf,
-        r=r,
+    return replace(
+        i_steel_section(name, h, b, tw, tf, r),
         A=A,
-        A_vy=2.0 * b * tf,
         A_vz=max(A - 2.0 * b * tf + (tw + 2.0 * r) * tf, (h - 2.0 * tf) * tw),
-        A_y=2.0 * b * tf * 5.0 / 6.0,
-        A_z=h * tw,
         I_y=I_y,
         I_z=I_z,
-        I_t=i_torsion_constant(h, b, tf, tw, r),
         I_w=I_z * (h - tf) ** 2 / 4.0,
         W_el_y=2.0 * I_y / h,
         W_el_z=2.0 * I_z / b,
