@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -102,7 +103,9 @@ def test_mypy_finds_each_wrong_argument_and_passes_right_ones(tmp_path: Path) ->
     config.write_text("[mypy]\n")
     command = [sys.executable, "-m", "mypy", "--strict", "--no-pretty", "--no-error-summary", "--hide-error-context"]
     command += ["--config-file", str(config), "--cache-dir", str(tmp_path / "cache"), str(right), str(wrong)]
-    found = subprocess.run(command, capture_output=True, text=True, cwd=Path(edesign.__file__).parent.parent)
+    # on the path of Python, mypy takes the package as an installed one, and tells the faults of the script alone
+    installed = {**os.environ, "PYTHONPATH": str(Path(edesign.__file__).parent.parent)}
+    found = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path, env=installed)
     errors = [line.partition("wrong.py:")[2] for line in found.stdout.splitlines() if ": error: " in line]
     assert [f"{error.partition(':')[0]} {error.rpartition('[')[2].rstrip(']')}" for error in errors] == [
         f"{line} {code}" for line, code in enumerate(WRONG.values(), start=2)
