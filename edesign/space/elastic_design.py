@@ -53,6 +53,7 @@ from edesign.space.analysis.yielded_braces import with_yielded_braces, yielded_c
 from edesign.space.checks.capacity import Joint, Overstrength, dissipative_members, joints, overstrength
 from edesign.space.checks.column_bases import base_criteria, hinged_bases
 from edesign.space.checks.foundations import Foundations, foundation_factors, foundations, supports
+from edesign.space.checks.links import Link, link_criteria, links, overstrength_of_links
 from edesign.space.checks.member_checks import LARGEST_CLASS, MemberChecker, MemberResults
 from edesign.space.checks.regularity import regularity, shape
 from edesign.space.checks.rules import (
@@ -69,7 +70,7 @@ from edesign.space.checks.secondary_beams import secondary_criteria
 from edesign.space.checks.web_panels import Panel, panel_criteria, web_panels
 from edesign.space.file_places import keys_of_member, telling_member, telling_place
 from edesign.space.structure.composite import stiffness_factor
-from edesign.space.structure.design_block import MOMENT_FRAME, Regular, design_of, rules_of, system_of
+from edesign.space.structure.design_block import ECCENTRIC, MOMENT_FRAME, Regular, design_of, rules_of, system_of
 from edesign.space.structure.frame import AXES, Axis, Member, SpaceFrame
 from edesign.space.structure.geometry import space_frame
 from edesign.space.structure.load_cases import ALWAYS, NON_STRUCTURAL, SELF_WEIGHT, self_weight
@@ -97,6 +98,7 @@ class ElasticDesign:
         overstrength: of either direction.
         joints: of moment frames.
         panels: web panels at the joints of moment frames.
+        links: seismic links of eccentric bracings.
         foundations: reactions of the supports and design actions on foundations.
         members: checks of all members.
         deflections: of the beams, under characteristic combinations.
@@ -119,6 +121,7 @@ class ElasticDesign:
     overstrength: Mapping[Axis, Overstrength]
     joints: tuple[Joint, ...]
     panels: tuple[Panel, ...]
+    links: tuple[Link, ...]
     foundations: Foundations
     members: MemberResults
     deflections: Deflections
@@ -254,6 +257,7 @@ class ElasticAnalysis:
             kind = system_of(self._design, axis).type
             if not self.dissipative[axis].size:
                 what = "beam along it has a stiff end" if kind == MOMENT_FRAME else "bay along it is braced"
+                what = "brace along it has a `link`" if kind == ECCENTRIC else what
                 where = self.building.where("design", "systems", axis, "type")
                 raise InputError(f"{where}: design.systems.{axis}.type: `{kind}`, but no {what} [E-SPACE-03]")
             without = np.intersect1d(self.dissipative[axis], self.frame.unclassified)
@@ -376,8 +380,23 @@ class ElasticAnalysis:
         in_earthquakes = largest(acting, self.seismic)
         steel, gamma_M0 = building.materials, design.partial_factors.M0
         kind = {axis: system_of(design, axis).type for axis in AXES}
+        of_links = {
+            axis: links(
+                self.building,
+                frame,
+                steel,
+                in_earthquakes,
+                self.dissipative[axis],
+                of_storeys[axis],
+                response[axis].drift,
+            )
+            for axis in AXES
+            if kind[axis] == ECCENTRIC
+        }
         Omega = {
-            axis: overstrength(
+            axis: overstrength_of_links(of_links[axis], self.dissipative[axis], axis)
+            if axis in of_links
+            else overstrength(
                 frame,
                 steel,
                 in_earthquakes,
@@ -441,6 +460,8 @@ class ElasticAnalysis:
                     self._rules.base_axial,
                 )
                 criteria += panel_criteria(of_panels[axis], len(of_joints[axis]), axis, design.members.doubler_plates)
+            elif axis in of_links:
+                criteria += link_criteria(of_links[axis], design.overstrength)
             else:
                 criteria += bracing_criteria(building, frame, Omega[axis])
         names = [member.name for member in frame.members]
@@ -466,6 +487,7 @@ class ElasticAnalysis:
             lateral=lateral,
             joints=tuple(joint for of_axis in of_joints.values() for joint in of_axis),
             panels=tuple(panel for of_axis in of_panels.values() for panel in of_axis),
+            links=tuple(link for of_axis in of_links.values() for link in of_axis),
             foundations=found,
             criteria=tuple(map(self._rules.rule, criteria)),
             notes=tuple(

@@ -83,8 +83,7 @@ def _members(building: Building) -> dict[str, Keys]:
     }
     found = {column_name(*place): numbers[id(run)] for place, run in layout.column_at.items()}
     for beam, of_beam in layout.beam_at.items():
-        halves = (f"{beam}_1", f"{beam}_2") if beam in layout.halved_beams else ()
-        found |= dict.fromkeys((str(beam), *halves), numbers[id(of_beam)])
+        found |= dict.fromkeys((str(beam), *layout.beam_members(beam)), numbers[id(of_beam)])
     for brace, of_brace in layout.brace_at.items():
         found |= {brace.name(way): numbers[id(of_brace)] for way in ways(brace, of_brace)}
     return found

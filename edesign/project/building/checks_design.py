@@ -61,7 +61,16 @@ def check_design(building: Building, problems: Problems, files: bool = True) -> 
             message = f"`{system.type}`: along {along} {seen} [E-BLDG-01]"
             problems.at_value(("design", "systems", along, "type"), message)
             continue
-        kinds = {run.kind for place, run in building.layout.brace_at.items() if place.along == along}
+        runs = [run for place, run in building.layout.brace_at.items() if place.along == along]
+        kinds, linked = {run.kind for run in runs}, {run.link is not None for run in runs}
+        if linked - {system.type == "eccentric"}:
+            has = "has no" if system.type == "eccentric" else "has a"
+            message = (
+                f"`{system.type}`, and a brace along {along} {has} `link`; `eccentric` has them in all of its braces, "
+                "and no other type has any [E-BLDG-01]"
+            )
+            problems.at_value(("design", "systems", along, "type"), message)
+            continue
         chevrons = sorted(kinds & set(CHEVRONS))
         if system.type == "concentric_diagonal" and chevrons:
             message = (
@@ -69,10 +78,10 @@ def check_design(building: Building, problems: Problems, files: bool = True) -> 
                 " [E-BLDG-01]"
             )
             problems.at_value(("design", "systems", along, "type"), message)
-        if braced and system.alpha_u_over_alpha_1 is not None:
+        if braced and system.type != "eccentric" and system.alpha_u_over_alpha_1 is not None:
             message = (
-                f"Table 6.2 has alpha_u / alpha_1 for moment frames alone, and along {along} is `{system.type}`"
-                " [E-BLDG-01]"
+                "Table 6.2 has alpha_u / alpha_1 for moment frames and eccentric bracings alone, and along "
+                f"{along} is `{system.type}` [E-BLDG-01]"
             )
             problems.at_key(("design", "systems", along, "alpha_u_over_alpha_1"), message)
         if system.type == "concentric_v" and not chevrons:

@@ -90,11 +90,27 @@ def _selections(building: Building, problems: Problems, check: Selections) -> bo
                 f"both braces of a {brace.kind} count, in tension and compression (EN 1998-1, 6.7.2(2)P) [E-BLDG-01]"
             )
             problems.at_value((*keys, "compression"), message)
+        _link(keys, brace, problems)
     for i, gap in enumerate(building.missing.columns):
         check.column_places(("missing", "columns", i), gap)
     for i, hole in enumerate(building.missing.beams):
         check.beam_places(("missing", "beams", i), hole)
     return len(problems.found) == before
+
+
+def _link(keys: Keys, brace: BraceRun, problems: Problems) -> None:
+    """Braces beside a seismic link leave it free, and count in compression."""
+    if brace.link is None:
+        return
+    if brace.kind == "cross":
+        message = (
+            "a cross ends at the corners of its bay, beside no link; braces with a `link` are `chevron`, `v`, `rising`, "
+            "`falling` or `alternating` [E-BLDG-01]"
+        )
+        problems.at_value((*keys, "kind"), message)
+    if brace.compression is False:
+        message = "braces beside a seismic link count in tension and compression (EN 1998-1, 6.8.3(1)) [E-BLDG-01]"
+        problems.at_value((*keys, "compression"), message)
 
 
 def _axes(building: Building, problems: Problems) -> None:
@@ -231,9 +247,20 @@ def _braces(building: Building, problems: Problems) -> None:
     present |= {(line, place.floor) for place in layout.beam_at for line in place.lines}
     numbers = {id(run): i for i, run in enumerate(building.braces)}
     reported: set[tuple[int, str]] = set()
+    met = Counter(
+        met_beam(place, run) for place, run in layout.brace_at.items() if run.kind in CHEVRONS or run.link is not None
+    )
     for place, run in layout.brace_at.items():
         i = numbers[id(run)]
         beam = met_beam(place, run) if run.kind in CHEVRONS else BeamPlace(*place)
+        if run.link is not None:
+            width = building.widths(place.along)[place.bay - 1]
+            if run.link >= width:
+                message = f"the link of {run.link:g} m leaves nothing of the beam of {width:g} m beside it"
+                reported.add((i, f"{place}: {message} [E-VALUE-02]"))
+            if met[beam] > 1 or beam in layout.halved_beams:
+                message = f"other braces, or dampers in their place, meet the beam {beam} between its ends as well"
+                reported.add((i, f"{place}: {message}; a beam with a `link` has its own braces alone [E-BLDG-01]"))
         if beam not in layout.beam_at:
             where = "at the base, where there is none" if beam.floor == 0 else "which is missing"
             reported.add((i, f"{place} needs the beam {beam}, {where} [E-BLDG-02]"))

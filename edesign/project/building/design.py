@@ -23,7 +23,7 @@ from edesign.project.notation.units import (
 from edesign.project.notation.written import Written, as_kept, either, given, one_or_list, ratio, text, words_or
 from edesign.project.reading.base import Model, refuse
 
-SystemType = Literal["moment_frame", "concentric_diagonal", "concentric_v"]
+SystemType = Literal["moment_frame", "concentric_diagonal", "concentric_v", "eccentric"]
 """Structural types of EN 1998-1, 6.3.1 and Table 6.2."""
 LeftOut = Literal[
     "4.2.3.2(6)",
@@ -38,6 +38,10 @@ LeftOut = Literal[
     "6.7.3(2)",
     "6.7.3(3)",
     "6.7.3(8)",
+    "6.8.2(4)",
+    "6.8.2(6)",
+    "6.8.2(7)",
+    "6.8.2(10)",
     "7.2.1 e",
     "7.3.1",
     "7.3.6.1",
@@ -45,6 +49,7 @@ LeftOut = Literal[
     "7.5.4.2",
     "7.5.4.4",
     "7.5.5",
+    "7.5.6",
 ]
 """Clauses of EN 1998-1 for the whole building that sections decide: torsion, theta, drift, joints, diagonals.
 
@@ -121,8 +126,8 @@ class System(Model):
     Attributes:
         type: structural type (EN 1998-1, 6.3.1).
         q: behaviour factor; `table` takes the upper limit of EN 1998-1, Table 6.2, for the ductility class.
-        alpha_u_over_alpha_1: alpha_u over alpha_1 of moment frames in Table 6.2; without the key the default of
-            6.3.2(3).
+        alpha_u_over_alpha_1: alpha_u over alpha_1 of moment frames and eccentric bracings in Table 6.2; without the
+            key the default of 6.3.2(3).
     """
 
     type: SystemType
@@ -287,10 +292,13 @@ class MemberChecks(MemberStability):
     Attributes:
         buckling_length: buckling length over the length between nodes, by kind of member and by place.
         doubler_plates: whether web panels that are too weak may have a supplementary web plate (EN 1998-1, 6.6.3(6)).
+        beams_beside_links: effects on a beam beside its seismic link: `amplified` as on braces and columns, or those of
+            the `seismic` situation, as EN 1998-1, 6.8.3(1), names members without links alone.
     """
 
     buckling_length: PlacedBucklingLength = PlacedBucklingLength()
     doubler_plates: bool = True
+    beams_beside_links: Literal["amplified", "seismic"] = "amplified"
 
 
 KINDS = ("columns", "beams", "braces")

@@ -128,11 +128,39 @@ class Layout(Storeys):
     @cached_property
     def halved_beams(self) -> frozenset[BeamPlace]:
         """The beams that chevrons or V braces meet in the middle, or dampers in place of chevrons."""
-        met = {met_beam(place, run) for place, run in self.brace_at.items() if run.kind in CHEVRONS}
+        met = {
+            met_beam(place, run) for place, run in self.brace_at.items() if run.kind in CHEVRONS and run.link is None
+        }
         for damper in self._building.in_place_of_chevrons:
             beams = (BeamPlace(*place) for place in self.brace_places(damper))
             met |= {beam for beam in beams if beam in self.beam_at}
         return frozenset(met)
+
+    @cached_property
+    def links(self) -> dict[BeamPlace, tuple[BracePlace, tuple[float, float]]]:
+        """The seismic link of each beam that has one: the place of its braces, and its ends as fractions of the beam."""
+        found = {}
+        for place, run in self.brace_at.items():
+            if run.link is not None:
+                share = run.link / self._building.widths(place.along)[place.bay - 1]
+                if run.kind in CHEVRONS:
+                    ends = 0.5 - 0.5 * share, 0.5 + 0.5 * share
+                else:
+                    ends = (1.0 - share, 1.0) if "r" in ways(place, run) else (0.0, share)
+                found[met_beam(place, run)] = place, ends
+        return found
+
+    def cuts(self, place: BeamPlace) -> dict[str, float]:
+        """Return the nodes between the ends of a beam, that braces meet, and their places as fractions of its length."""
+        if place in self.links:
+            inside = [share for share in self.links[place][1] if 0.0 < share < 1.0]
+            return {link_node(place, number): share for number, share in enumerate(inside, start=1)}
+        return {str(place): 0.5} if place in self.halved_beams else {}
+
+    @cached_property
+    def cut_beams(self) -> tuple[BeamPlace, ...]:
+        """The beams that have nodes between their ends."""
+        return tuple(sorted({*self.halved_beams, *self.links}))
 
     @cached_property
     def node_lines(self) -> dict[int, tuple[ColumnLine, ...]]:
@@ -155,15 +183,16 @@ class Layout(Storeys):
 
     @cached_property
     def nodes(self) -> dict[str, tuple[float, float, float]]:
-        """Coordinates in m of every node, by name, floor by floor; on a floor the middles of beams come last."""
+        """Coordinates in m of every node, by name, floor by floor; on a floor those inside of beams come last."""
         found = {}
         for floor, lines in self.node_lines.items():
             level = self.levels[floor]
             for line in lines:
                 found[node_name(line, floor)] = (*self._building.place(line), level)
-            for beam in sorted(beam for beam in self.halved_beams if beam.floor == floor):
+            for beam in (beam for beam in self.cut_beams if beam.floor == floor):
                 (x0, y0), (x1, y1) = (self._building.place(line) for line in beam.lines)
-                found[str(beam)] = (0.5 * (x0 + x1), 0.5 * (y0 + y1), level)
+                for name, at in self.cuts(beam).items():
+                    found[name] = ((1.0 - at) * x0 + at * x1, (1.0 - at) * y0 + at * y1, level)
         return found
 
     @cached_property
@@ -174,11 +203,12 @@ class Layout(Storeys):
             parts = self._building.rigid_parts(floor)
             for number, panels in enumerate(parts, start=1):
                 lines = {line for panel in panels for line in corners(panel, self.axes)} & set(self.node_lines[floor])
-                beams = {edge for panel in panels for edge in edges(panel, floor, self.axes)} & self.halved_beams
+                beams = {edge for panel in panels for edge in edges(panel, floor, self.axes)}
                 if panels == self.floors[floor]:
                     lines = set(self.node_lines[floor])
-                    beams = {beam for beam in self.halved_beams if beam.floor == floor}
-                if names := frozenset([*(node_name(line, floor) for line in lines), *map(str, beams)]):
+                    beams = {beam for beam in self.cut_beams if beam.floor == floor}
+                inside = (name for beam in beams for name in self.cuts(beam))
+                if names := frozenset([*(node_name(line, floor) for line in lines), *inside]):
                     found[Diaphragm(floor, number if len(parts) > 1 else 0)] = names
         return found
 
@@ -188,8 +218,15 @@ class Layout(Storeys):
         return {name: diaphragm for diaphragm, names in self.diaphragms.items() for name in names}
 
     def beam_members(self, place: BeamPlace) -> tuple[str, ...]:
-        """Return the name of a beam, or those of the two halves of one that braces meet in the middle."""
-        return (f"{place}_1", f"{place}_2") if place in self.halved_beams else (str(place),)
+        """Return the name of a beam, or those of the parts of one that braces meet."""
+        parts = len(self.cuts(place)) + 1
+        return tuple(f"{place}_{part}" for part in range(1, parts + 1)) if parts > 1 else (str(place),)
+
+    def link_member(self, place: BeamPlace) -> str | None:
+        """Return the name of the part of a beam that is a seismic link; None of a beam without one."""
+        if place not in self.links:
+            return None
+        return f"{place}_{1 if self.links[place][1][0] == 0.0 else 2}"
 
     @cached_property
     def members(self) -> dict[str, ColumnRun | BeamRun | BraceRun]:
@@ -208,11 +245,14 @@ class Layout(Storeys):
             found[column_name(line, storey)] = node_name(line, storey - 1), node_name(line, storey)
         for beam in self.beam_at:
             members, (start, end) = self.beam_members(beam), (node_name(line, beam.floor) for line in beam.lines)
-            middle = (str(beam),) * (len(members) - 1)
-            found.update(zip(members, pairwise((start, *middle, end)), strict=True))
+            found.update(zip(members, pairwise((start, *self.cuts(beam), end)), strict=True))
         for place, run in self.brace_at.items():
             for way, ((low, below), (high, above)) in ways(place, run).items():
-                found[place.name(way)] = _point_name(place, low, below), _point_name(place, high, above)
+                number = 0 if run.link is None else met_end(run, way)
+                found[place.name(way)] = (
+                    _point_name(place, low, below, number),
+                    _point_name(place, high, above, number),
+                )
         return found
 
     def lines_in(self, name: str) -> tuple[str, ...]:
@@ -269,8 +309,8 @@ class Layout(Storeys):
         """
         for place in self.beam_places(beams) if beams is not None else ():
             if place in self.beam_at:
-                halves = self.beam_members(place)
-                yield halves[0], halves[-1]
+                parts = self.beam_members(place)
+                yield parts[0], parts[-1]
         for at in self.column_places(columns) if columns is not None else ():
             if at in self.column_at:
                 yield (column_name(*at),) * 2
@@ -283,7 +323,7 @@ class Layout(Storeys):
 
     @cached_property
     def beam_ends(self) -> dict[str, tuple[End, End]]:
-        """How the start and the end of every beam are joined, by name; halves of one are rigid in the middle."""
+        """How the start and the end of every beam are joined, by name; parts of one are rigid between them."""
         found: dict[str, tuple[End, End]] = {}
         for place, run in self.beam_at.items():
             members = self.beam_members(place)
@@ -356,18 +396,39 @@ def edges(panel: Panel, floor: int, axes: GridAxes) -> tuple[BeamPlace, BeamPlac
 
 
 def met_beam(place: BracePlace, run: BraceRun) -> BeamPlace:
-    """Return the place of the beam that a chevron (above it) or V brace (below it) meets in the middle.
+    """Return the place of the beam that braces meet between its ends: V braces the one below, others that above.
 
     Args:
         place: the place of the brace: frame, bay and storey.
         run: the run of braces, with their kind.
     """
-    floor = place.storey if run.kind == "chevron" else place.storey - 1
+    floor = place.storey - 1 if run.kind == "v" else place.storey
     return BeamPlace(*place[:3], floor, place.axes)
 
 
 Point = tuple[ColumnLine | None, int]
-"""A column line, or None for the middle of the bay, and a floor."""
+"""A column line, or None for a place inside of the bay, and a floor."""
+
+
+def link_node(place: BeamPlace, number: int) -> str:
+    """Return the name of a node at an end of a seismic link: `BX_2_1_5.1`.
+
+    Args:
+        place: of the beam.
+        number: of the node along the beam, from 1.
+    """
+    return f"{place}.{number}"
+
+
+def met_end(run: BraceRun, way: str) -> int:
+    """Return which of the nodes of a beam with a link a brace meets, from 1.
+
+    Args:
+        run: of the brace.
+        way: `r` rising, `f` falling.
+    """
+    left = {"chevron": "r", "v": "f"}.get(run.kind, way)
+    return 1 if way == left else 2
 
 
 def ways(place: BracePlace, run: BraceRun) -> dict[str, tuple[Point, Point]]:
@@ -388,9 +449,14 @@ def ways(place: BracePlace, run: BraceRun) -> dict[str, tuple[Point, Point]]:
         return {"r": rising, "f": falling}
     alternate = "rising" if (place.bay + place.storey) % 2 == 0 else "falling"
     kind = alternate if run.kind == "alternating" else run.kind
+    if run.link is not None:
+        rising, falling = (rising[0], (None, high)), (falling[0], (None, high))
     return {"r": rising} if kind == "rising" else {"f": falling}
 
 
-def _point_name(place: BracePlace, line: ColumnLine | None, floor: int) -> str:
-    """Name of the node at a point of a braced bay."""
-    return node_name(line, floor) if line is not None else str(BeamPlace(*place[:3], floor, place.axes))
+def _point_name(place: BracePlace, line: ColumnLine | None, floor: int, number: int) -> str:
+    """Name of the node at a point of a braced bay; `number`: of the node of a beam with a link, from 1."""
+    if line is not None:
+        return node_name(line, floor)
+    beam = BeamPlace(*place[:3], floor, place.axes)
+    return link_node(beam, number) if number else str(beam)

@@ -142,12 +142,16 @@ class BraceRun(Model):
     storey is even. A cross is two diagonals without a joint between them. A chevron meets the beam above in the middle
     of its span, `v` the beam below.
 
+    With a seismic link braces meet a beam beside it: both of a chevron or `v` at the ends of the link in the middle of
+    the span, one diagonal at the distance of the link from the upper column.
+
     Attributes:
         along: direction of the frames.
         frames: frames of this direction, such as `2`, `A-C`.
         bays: bays of the frames, counted from 1.
         storeys: storeys, counted from 1.
         kind: how the braces stand, seen with the axis of the frame to the right.
+        link: length e of the seismic link in the beam that they meet (EN 1998-1, 6.8); without the key none.
         section: name of a profile of the catalogue, or of a hollow section.
         material: one of `materials`.
         compression: whether braces count in compression; without the key by their kind (EN 1998-1, 6.7.2(2)P).
@@ -159,6 +163,7 @@ class BraceRun(Model):
     bays: Numbers
     storeys: Numbers = ALL_NUMBERS
     kind: BraceKind
+    link: PositiveLength | None = None
     section: str
     material: str
     compression: bool | None = None
@@ -168,9 +173,10 @@ class BraceRun(Model):
     def in_compression(self) -> bool:
         """Whether the analysis counts these braces in compression.
 
-        Source: EN 1998-1:2004, 6.7.2(2)P: of diagonals the tension ones alone, of V bracings both.
+        Source: EN 1998-1:2004, 6.7.2(2)P: of diagonals the tension ones alone, of V bracings both; 6.8: braces beside
+            links as well.
         """
-        return self.kind in CHEVRONS if self.compression is None else self.compression
+        return self.kind in CHEVRONS or self.link is not None if self.compression is None else self.compression
 
 
 class Missing(Model):

@@ -18,6 +18,7 @@ _SYSTEMS = {
     "moment_frame": "moment frame",
     "concentric_diagonal": "concentric bracing with diagonals",
     "concentric_v": "concentric V bracing",
+    "eccentric": "eccentric bracing with seismic links",
 }
 
 

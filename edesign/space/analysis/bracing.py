@@ -44,9 +44,9 @@ class Bracing:
         collectors: (h,) numbers of the beams in whose frame and floor braces meet.
         in_model: (h,) whether the linear model has their axial force already: their floor is not rigid.
         to_collectors: (h n_stations, b) axial force of the beams at `STATIONS` by a unit of tension in a brace.
-        halves: numbers of the beams that chevrons or V braces meet, each of which is two members.
+        halves: numbers of the beams that chevrons or V braces meet, each of which is two members; none with a link.
         middles: numbers of the nodes between them.
-        span: (n_members,) length of members, of halves that of the whole beam, m.
+        span: (n_members,) length of members, of halves that of the whole beam, m; braces support a beam with a link.
     """
 
     braces: np.ndarray
@@ -162,7 +162,7 @@ def _middles(frame: SpaceFrame) -> dict[int, tuple[int, int]]:
     """Return the nodes in the middle of a beam that braces meet, and the two members of that beam."""
     in_columns = {node for number in frame.columns for node in (frame.members[number].start, frame.members[number].end)}
     ends = {(node, of.frame[0]) for of in frame.members if of.kind == "brace" for node in (of.start, of.end)}
-    beams = [(number, of) for number, of in enumerate(frame.members) if of.kind == "beam"]
+    beams = [(number, of) for number, of in enumerate(frame.members) if of.kind == "beam" and not of.eccentric]
     before = {of.end: n for n, of in beams if of.end not in in_columns and (of.end, of.frame[0]) in ends}
     after = {of.start: n for n, of in beams if (of.start, of.frame[0]) in ends}
     return {node: (number, after[node]) for node, number in before.items() if node in after}

@@ -32,7 +32,7 @@ class Deflections:
 
     Attributes:
         members: (n_beams,) numbers of the beams.
-        span: (n_beams,) m; of the halves of a beam that braces meet, that of the whole.
+        span: (n_beams,) m; of the parts of a beam that braces meet, that of the whole.
         total: (n_beams,) under permanent and variable loads, m.
         live: (n_beams,) under the variable loads alone, m.
         combination: (n_beams,) which of the characteristic combinations gives `total`, from 0.
@@ -80,21 +80,19 @@ class DeflectionAnalysis:
 
     def _spans(self, frame: SpaceFrame) -> None:
         """Keep the nodes at the ends of each span, and where each beam begins and ends in it."""
-        nodes = {name: number for number, name in enumerate(frame.node_names)}
-        halves: dict[int, list[int]] = {}
+        parts: dict[str, list[int]] = {}
         for k, number in enumerate(self.members):
-            if (middle := nodes.get(frame.members[number].name.rpartition("_")[0])) is not None:
-                halves.setdefault(middle, []).append(k)
+            if frame.members[number].beam:
+                parts.setdefault(frame.members[number].beam, []).append(k)
         start, end = (nodes_of[self.members].copy() for nodes_of in frame.ends)
         self.span = self._length.copy()
         self._share = np.stack([np.zeros(self.span.size), np.ones(self.span.size)])
         self._nodes = np.stack([start, end])
         self._chord = self._nodes.copy()
-        for first, second in halves.values():
-            self.span[[first, second]] = self._length[first] + self._length[second]
-            self._chord[:, [first, second]] = [[start[first]] * 2, [end[second]] * 2]
-            self._share[:, first] = 0.0, self._length[first] / self.span[first]
-            self._share[:, second] = self._length[first] / self.span[first], 1.0
+        for beam in parts.values():
+            self.span[beam] = self._length[beam].sum()
+            self._chord[:, beam] = [[start[beam[0]]] * len(beam), [end[beam[-1]]] * len(beam)]
+            self._share[:, beam] = np.transpose([frame.members[self.members[k]].part for k in beam])
 
     def deflections(self, frame: SpaceFrame, properties: np.ndarray, static: StaticResponse) -> Deflections:
         """Return the deflections.

@@ -68,9 +68,9 @@ def static_effects(
     cases = tuple(frame.cases.values())
     sideways = [number for number, case in enumerate(cases) if case.sideways]
     if not sideways:
-        return static_cases(gravity_model, cases)
+        return _collected(static_cases(gravity_model, cases), frame, bracing)
     upright = [replace(case, nodal=_only(case.nodal, False)) for case in cases]
-    found = static_cases(gravity_model, tuple(upright))
+    found = _collected(static_cases(gravity_model, tuple(upright)), frame, bracing)
     none = np.zeros(0)
     lateral = static_cases(
         model,
@@ -92,6 +92,13 @@ def static_effects(
     found.displacements[sideways] += lateral.displacements
     found.internal[sideways] += internal
     found.reactions[sideways] += reactions
+    return found
+
+
+def _collected(found: StaticResponse, frame: SpaceFrame, bracing: Bracing) -> StaticResponse:
+    """Return the effects with what braces beside links bring to their beams, as they carry vertical loads as well."""
+    if any(frame.members[number].eccentric for number in bracing.braces):
+        found.internal[...] = bracing.under_static(found.internal)[0]
     return found
 
 

@@ -26,6 +26,7 @@ from edesign.codes.rule_check import first_of_largest
 from edesign.frame.sections.steel_section import SteelSection
 from edesign.project.building.building import Steel
 from edesign.space.analysis.effects import Effects, distinct
+from edesign.space.structure.design_block import ECCENTRIC, MOMENT_FRAME
 from edesign.space.structure.frame import AXES, Axis, Member, SpaceFrame
 
 N, M_Y = 0, 4  # places in internal forces
@@ -85,23 +86,23 @@ def by_section(
 
 
 def dissipative_members(frame: SpaceFrame, axis: Axis, system: str) -> np.ndarray:
-    """Return the numbers of the members in which a system dissipates energy: beams with hinges, or diagonals.
+    """Return the numbers of the members in which a system dissipates energy: beams with hinges, diagonals or links.
 
     Args:
         axis: direction of the action.
-        system: `moment_frame`, `concentric_diagonal` or `concentric_v`.
+        system: `moment_frame`, `concentric_diagonal`, `concentric_v` or `eccentric`.
 
     Returns:
         (n,) numbers.
     """
-    kind = "beam" if system == "moment_frame" else "brace"
+    kind = "beam" if system in (MOMENT_FRAME, ECCENTRIC) else "brace"
     return np.array(
         [
             number
             for number, member in enumerate(frame.members)
             if member.kind == kind
             and any(name.startswith(axis.upper()) for name in member.frame)
-            and (kind == "brace" or max(member.ends[0], member.ends[2]) > 0.0)
+            and (kind == "brace" or member.link or (system == MOMENT_FRAME and max(member.ends[0], member.ends[2]) > 0))
         ],
         dtype=int,
     )

@@ -389,8 +389,9 @@ def _masks(
         if not member.compression:
             of_kind = mask(Check.N)  # in tension; the diagonal of the pair in compression is not there
         masks[number, PERSISTENT] = of_kind
-        masks[number, SEISMIC if dissipates or not capacity else CAPACITY] = of_kind
-        if capacity and dissipates and member.kind == "beam":
+        beside_link = member.eccentric and member.kind == "beam" and design.members.beams_beside_links == "seismic"
+        masks[number, SEISMIC if dissipates or beside_link or not capacity else CAPACITY] = of_kind
+        if capacity and dissipates and member.kind == "beam" and not member.link:
             masks[number, SEISMIC] |= mask(*BEAM_CHECKS)
         if capacity and frames and member.kind == "column":
             masks[number, CAPACITY] |= mask(Check.COLUMN_V)

@@ -26,7 +26,7 @@ from edesign.project.building.building import Building, Steel
 from edesign.project.building.design import Design, System
 from edesign.space.analysis.storeys import Storeys
 from edesign.space.checks.capacity import Joint, Overstrength, by_section
-from edesign.space.structure.design_block import MOMENT_FRAME, Regular, design_of, rules_of, system_of
+from edesign.space.structure.design_block import ECCENTRIC, MOMENT_FRAME, Regular, design_of, rules_of, system_of
 from edesign.space.structure.frame import AXES, Axis, Member, SpaceFrame
 
 _PATTERNS = {"cross": "x", "chevron": "v", "v": "v"}  # words of EN 1998-1, 6.7.3, for those of the file
@@ -88,7 +88,7 @@ def behaviour_criteria(
     """
     found = [at_most("6.3.2(1)", f"behaviour factor q, direction {axis}", limit[axis], q[axis])]
     design = design_of(building)
-    bent = system_of(design, axis).type == MOMENT_FRAME
+    bent = system_of(design, axis).type in (MOMENT_FRAME, ECCENTRIC)
     pairs, of_members = frame.sections
     worst, where = 0, ""
     for name, material in sorted(pairs[k] for k in np.unique(of_members[dissipative])):
@@ -123,7 +123,7 @@ def dissipative_class(section: SteelSection, fy: float, bent: bool) -> SectionCl
     Args:
         section: its properties.
         fy: yield strength, Pa.
-        bent: it bends without axial force (beams); otherwise it is compressed (diagonals).
+        bent: it bends without axial force (beams, links); otherwise it is compressed (diagonals).
     """
     return section_class(section, fy, 0.0 if bent else -1.0, about_y=bent)
 

@@ -21,7 +21,7 @@ from edesign.project.reading.base import Model
 from edesign.space.structure.frame import Axis
 
 M = TypeVar("M", bound=Model)
-MOMENT_FRAME = "moment_frame"
+MOMENT_FRAME, ECCENTRIC = "moment_frame", "eccentric"
 _RULES = {rules.code: rules for rules in (EC8_RULES, NTC_RULES)}
 
 

@@ -49,6 +49,10 @@ class Member:
         storey: 1 at the bottom; of a beam that of the storey below its floor.
         frame: plane frames that it stands in: `X2` along x on line 2, `YA` along y on line A; a column is in two.
         bay: of a beam or a brace, 1 at the beginning; 0 of a column.
+        beam: of a part of a beam that braces meet, the name of the whole; "" of all others.
+        part: where a part of a beam begins and ends, as fractions of the whole.
+        link: whether it is a seismic link (EN 1998-1, 6.8).
+        eccentric: of a brace whether it meets a link, of a part of a beam whether it or a part beside it is one.
     """
 
     name: str
@@ -67,6 +71,10 @@ class Member:
     storey: int = 0
     frame: tuple[str, ...] = ()
     bay: int = 0
+    beam: str = ""
+    part: tuple[float, float] = (0.0, 1.0)
+    link: bool = False
+    eccentric: bool = False
 
 
 @dataclass(frozen=True)
@@ -104,7 +112,8 @@ class SpaceFrame:
     """A building as nodes, members, rigid floors and load cases; values in SI.
 
     Attributes:
-        node_names: `A2.3`: column line A2, floor 3; floor 0 is the base. `BX_2_1_5`: the middle of that beam.
+        node_names: `A2.3`: column line A2, floor 3; floor 0 is the base. `BX_2_1_5`: the middle of that beam;
+            `BX_2_1_5.1`: an end of the link in it.
         coordinates: (n_nodes, 3) m.
         node_diaphragm: (n_nodes,) number in `diaphragms` of what ties it; `NO_DIAPHRAGM`: nothing does.
         levels: (n_floors + 1,) level of each floor above the base, m; the base is first.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from itertools import pairwise
 from math import inf
 
 import numpy as np
@@ -28,8 +29,8 @@ def space_frame(building: Building, design: bool = False) -> SpaceFrame:
     """Return a building as nodes, members, load cases and masses.
 
     Load cases are `G`, the permanent loads of the file; `self_weight`, that of the members, if the file wants it; and
-    `Q_B` and so on, the variable loads of each category. A beam that braces meet in the middle is two members with a
-    node between them. The lower half of the first storey has no mass. Footings are springs of their static stiffness.
+    `Q_B` and so on, the variable loads of each category. A beam that braces meet is two members with a
+    node between them, or three with a seismic link. The lower half of the first storey has no mass. Footings are springs of their static stiffness.
 
     Args:
         building: from `load_building`.
@@ -116,11 +117,16 @@ def _frames_of(line: ColumnLine) -> tuple[str, str]:
 def _beams(building: Building, ends: Ends) -> list[Member]:
     found = []
     for place, run in building.layout.beam_at.items():
-        names = building.layout.beam_members(place)
-        for name in names:
+        layout = building.layout
+        names, cuts = layout.beam_members(place), (0.0, *layout.cuts(place).values(), 1.0)
+        for name, part in zip(names, pairwise(cuts), strict=True):
             at_start = run.ends.start if name == names[0] else "rigid"
             at_end = run.ends.end if name == names[-1] else "rigid"
-            found.append(_beam(place, run, name, ends[name], at_start, at_end))
+            beam = _beam(place, run, name, ends[name], at_start, at_end)
+            if len(names) > 1:
+                link = name == layout.link_member(place)
+                beam = replace(beam, beam=str(place), part=part, link=link, eccentric=place in layout.links)
+            found.append(beam)
     return found
 
 
@@ -176,6 +182,7 @@ def _brace(place: BracePlace, run: BraceRun, name: str, nodes: tuple[int, int], 
         axial_only=True,
         bracing=run.kind,
         compression=run.in_compression,
+        eccentric=run.link is not None,
         storey=place.storey,
         frame=(frame_name(place.along, place.frame, place.axes),),
         bay=place.bay,

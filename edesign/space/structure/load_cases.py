@@ -28,6 +28,9 @@ Load = Areas | PerimeterLoad | BeamLoad | NodeLoad
 _ALTERNATES = {"chessboard": (1, 1), "strips_x": (1, 0), "strips_y": (0, 1)}
 """Whether loaded and bare bays alternate along x and along y; they always do from floor to floor."""
 
+_MOST_PARTS = 3  # of a beam, with a link in its middle
+_AT_NODE = 1e-9  # share of a beam
+
 
 @dataclass
 class LoadSum:
@@ -142,7 +145,7 @@ def _add_points(building: Building, sums: dict[str, LoadSum], load: BeamLoad) ->
 
 
 def _add_parts(building: Building, sums: dict[str, LoadSum], load: BeamLoad) -> None:
-    """Add the loads on parts of beams; of a beam in two halves each half has its own part."""
+    """Add the loads on parts of beams; of a beam in parts each has its own share."""
     layout = building.layout
     for part in load.partial:
         for place in layout.beam_places(load):
@@ -150,7 +153,7 @@ def _add_parts(building: Building, sums: dict[str, LoadSum], load: BeamLoad) -> 
                 continue
             width = building.widths(place.along)[place.bay - 1]
             start, end = part.start.share(width), part.end.share(width)
-            ends = [start, 0.5, end] if place in layout.halved_beams and start < 0.5 < end else [start, end]
+            ends = [start, *(cut for cut in layout.cuts(place).values() if start < cut < end), end]
             for values, category in ((part.G, "permanent"), (part.Q, load.category)):
                 if not any(values) or category is None:
                     continue
@@ -198,7 +201,7 @@ def _add_secondary(building: Building, case: LoadSum, load: Areas, weight: float
 
 
 def case_of(name: str, loads: LoadSum, frame: SpaceFrame) -> LoadCase:
-    """Return a sum of loads as a case; those of a beam in two halves go to these and to the node between them."""
+    """Return a sum of loads as a case; those of a beam in parts go to these and to the nodes between them."""
     nodes = {node: i for i, node in enumerate(frame.node_names)}
     members = {member.name: i for i, member in enumerate(frame.members)}
     nodal, uniform = np.zeros((len(nodes), 6)), np.zeros((len(members), 3))
@@ -209,13 +212,14 @@ def case_of(name: str, loads: LoadSum, frame: SpaceFrame) -> LoadCase:
         for member in members_of(place, members):
             uniform[member, 2] -= load
     for (place, position), force in loads.points.items():
-        whole = members_of(place, members)
-        if len(whole) == 1:
-            points.append((whole[0], position, force))
-        elif position == 0.5:
-            nodal[nodes[str(place)], 2] -= force
-        else:
-            points.append((whole[int(position > 0.5)], (2.0 * position) % 1.0, force))
+        for member in members_of(place, members):
+            start, end = frame.members[member].part
+            if end < 1.0 and abs(position - end) < _AT_NODE:
+                nodal[frame.members[member].end, 2] -= force
+                break
+            if position < end or end == 1.0:
+                points.append((member, (position - start) / (end - start), force))
+                break
     return LoadCase(
         name=name,
         category=loads.category,
@@ -228,9 +232,11 @@ def case_of(name: str, loads: LoadSum, frame: SpaceFrame) -> LoadCase:
 
 
 def members_of(place: BeamPlace, members: dict[str, int]) -> list[int]:
-    """Return the member of a beam, or those of its two halves."""
+    """Return the member of a beam, or those of its parts."""
     name = str(place)
-    return [members[name]] if name in members else [members[f"{name}_1"], members[f"{name}_2"]]
+    if name in members:
+        return [members[name]]
+    return [members[part] for k in range(1, _MOST_PARTS + 1) if (part := f"{name}_{k}") in members]
 
 
 def on_members(frame: SpaceFrame, case: LoadCase) -> np.ndarray:

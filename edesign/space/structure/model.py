@@ -30,7 +30,8 @@ def space_model(frame: SpaceFrame, materials: Mapping[str, Steel], gravity: bool
 
     Args:
         materials: of the file, by name.
-        gravity: braces hold the floors in place and carry nothing else, `GRAVITY_SHARE` of their area.
+        gravity: braces hold the floors in place and carry nothing else, `GRAVITY_SHARE` of their area; but those beside
+            seismic links, on which beams rest, have all of it.
 
     Raises:
         CoreError: the structure is a mechanism, or is not connected to its supports.
@@ -76,7 +77,7 @@ def member_properties(frame: SpaceFrame, materials: Mapping[str, Steel], gravity
     found[:, PROPERTIES.index("A")] *= np.where(frame.in_compression, 1.0, TENSION_ONLY_SHARE)
     found[:, PROPERTIES.index("I_y")] *= [member.stiffness_factor for member in frame.members]
     if gravity:
-        braces = [member.kind == "brace" for member in frame.members]
+        braces = [member.kind == "brace" and not member.eccentric for member in frame.members]
         found[braces, PROPERTIES.index("A")] *= GRAVITY_SHARE
     return found
 
