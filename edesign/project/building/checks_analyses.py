@@ -9,7 +9,7 @@ from edesign.project.analysis.pushover import WAYS, Pushovers
 from edesign.project.analysis.shaking import IN_PLACE, eccentricity_of
 from edesign.project.building.building import Building
 from edesign.project.building.checks_selections import Selections
-from edesign.project.building.members import BraceRun, ColumnRun
+from edesign.project.building.members import NO_LAW_OF_LINKS, BraceRun, ColumnRun
 from edesign.project.checks.analyses import check_shared
 from edesign.project.checks.outputs import check_kept, check_member
 from edesign.project.checks.pairs import check_pairs
@@ -37,6 +37,8 @@ def check_analyses(building: Building, problems: Problems, files: bool = True) -
         if isinstance(analysis, BuildingHistory):
             check_shaking(building, problems, ("analyses", i), analysis)
             check_wave_passage(building, problems, ("analyses", i, "wave_passage"), analysis.wave_passage)
+    if building.analyses and any(run.link is not None for run in building.braces):
+        problems.at_key(("analyses",), f"braces have a `link`, and {NO_LAW_OF_LINKS}; leave one out [E-SPACE-12]")
     _anchors(building, problems)
     check_kept(building, problems)
     check = Selections(building, problems)

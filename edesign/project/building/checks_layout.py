@@ -104,8 +104,8 @@ def _link(keys: Keys, brace: BraceRun, problems: Problems) -> None:
         return
     if brace.kind == "cross":
         message = (
-            "a cross ends at the corners of its bay, beside no link; braces with a `link` are `chevron`, `v`, `rising`, "
-            "`falling` or `alternating` [E-BLDG-01]"
+            "a cross ends at the corners of its bay, beside no link; braces with a `link` are `chevron`, `v`, "
+            "`rising`, `falling` or `alternating` [E-BLDG-01]"
         )
         problems.at_value((*keys, "kind"), message)
     if brace.compression is False:

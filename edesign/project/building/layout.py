@@ -138,7 +138,7 @@ class Layout(Storeys):
 
     @cached_property
     def links(self) -> dict[BeamPlace, tuple[BracePlace, tuple[float, float]]]:
-        """The seismic link of each beam that has one: the place of its braces, and its ends as fractions of the beam."""
+        """The place of the braces beside the link of each beam that has one, and its ends as fractions of the beam."""
         found = {}
         for place, run in self.brace_at.items():
             if run.link is not None:
@@ -151,7 +151,7 @@ class Layout(Storeys):
         return found
 
     def cuts(self, place: BeamPlace) -> dict[str, float]:
-        """Return the nodes between the ends of a beam, that braces meet, and their places as fractions of its length."""
+        """Return the nodes inside of a beam, which braces meet, and their places as fractions of its length."""
         if place in self.links:
             inside = [share for share in self.links[place][1] if 0.0 < share < 1.0]
             return {link_node(place, number): share for number, share in enumerate(inside, start=1)}

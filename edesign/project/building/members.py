@@ -25,6 +25,9 @@ from edesign.project.reading.base import Model
 BraceKind = Literal["rising", "falling", "alternating", "cross", "chevron", "v"]
 CHEVRONS = ("chevron", "v")
 """Braces that meet a beam in the middle of its span."""
+NO_LAW_OF_LINKS = (
+    "no element of modes, pushovers and histories yields in shear as a seismic link does; links have the elastic design"
+)
 
 
 def _ends(value: Any) -> Any:

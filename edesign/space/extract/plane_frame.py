@@ -10,8 +10,8 @@ import numpy as np
 
 from edesign.errors import InputError
 from edesign.project.building.building import Building
-from edesign.project.building.layout import DIRECTIONS
-from edesign.project.building.members import BeamRun, BraceRun, ColumnRun, Ends
+from edesign.project.building.layout import DIRECTIONS, ways
+from edesign.project.building.members import NO_LAW_OF_LINKS, BeamRun, BraceRun, ColumnRun, Ends
 from edesign.project.building.names import (
     BeamPlace,
     BracePlace,
@@ -157,12 +157,13 @@ class PlaneFrame:
         return self._at_nodes(total)
 
     def _at_nodes(self, values: np.ndarray) -> AtNodes:
-        """Values of its nodes; those in the middle of a beam go to its ends in halves."""
+        """Values of its nodes; those inside of a beam go to its ends by their distance."""
         nodes = {name: i for i, name in enumerate(self.space.node_names)}
         whole = values.astype(float)
-        for beam in self.building.layout.halved_beams:
-            for line in beam.lines:
-                whole[nodes[node_name(line, beam.floor)]] += 0.5 * values[nodes[str(beam)]]
+        for beam in self.building.layout.cut_beams:
+            for name, at in self.building.layout.cuts(beam).items():
+                for line, share in zip(beam.lines, (1.0 - at, at), strict=True):
+                    whole[nodes[node_name(line, beam.floor)]] += share * values[nodes[name]]
         places = [(i, floor) for floor in range(1, self.building.n_storeys + 1) for i in range(len(self.lines))]
         named = {place: node_name(self.lines[place[0]], place[1]) for place in places}
         return {place: float(whole[nodes[name]]) for place, name in named.items() if name in nodes}
@@ -195,9 +196,13 @@ class PlaneFrame:
             alone: whether it stands alone, so that it must resist something itself.
 
         Raises:
-            InputError: it has floors that the ground holds or that are rigid in part, no column, nodes without a
-                member of its own, or nothing that resists while other frames do.
+            InputError: it has seismic links, floors that the ground holds or that are rigid in part, no column, nodes
+                without a member of its own, or nothing that resists while other frames do.
         """
+        if linked := next((place for place, run in self.braces.items() if run.link is not None), None):
+            message = f"{linked} has a `link`: {NO_LAW_OF_LINKS}, and frames without them can be extracted [E-SPACE-12]"
+            way = next(iter(ways(linked, self.braces[linked])))
+            raise self._refuse(message, *keys_of_member(self.building, linked.name(way)))
         if self.building.held_floors:
             message = "project files have no floors that the ground holds [E-SPACE-04]"
             raise self._refuse(message, "restrained_floors")

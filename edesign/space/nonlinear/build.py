@@ -7,6 +7,7 @@ from collections.abc import Collection, Mapping, Sequence
 import numpy as np
 
 from edesign.core import Analysis, Model
+from edesign.errors import InputError
 from edesign.frame.devices import DeviceLaw, add_devices
 from edesign.frame.footings import FootingSprings, footings_of
 from edesign.frame.frame_model import FrameModel, Sinking
@@ -14,6 +15,7 @@ from edesign.frame.isolation import add_isolation
 from edesign.frame.tuned_masses import Attached, add_attachment
 from edesign.project.building.building import Building
 from edesign.project.building.layout import DIRECTIONS as PLAN
+from edesign.project.building.members import NO_LAW_OF_LINKS
 from edesign.project.building.names import node_name
 from edesign.space.file_places import telling_member
 from edesign.space.nonlinear.bays import building_sites
@@ -62,8 +64,12 @@ def build_building(
 
     Raises:
         InputError: a section is not known, or has no place for a hinge or a rigid end; loads upwards would give a
-            negative mass; a damper has no node to stand at, or the core refuses a member.
+            negative mass; a damper has no node to stand at, it has seismic links, or the core refuses a member.
     """
+    linked = next((i for i, run in enumerate(building.braces) if run.link is not None), None)
+    if linked is not None:
+        place = building.where("braces", linked, "link")
+        raise InputError(f"{place}: braces[{linked}].link: {NO_LAW_OF_LINKS} [E-SPACE-12]")
     whole = with_steel_by_thickness(building)
     with telling_member(building):
         if footings is None:

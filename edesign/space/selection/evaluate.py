@@ -29,6 +29,7 @@ from edesign.space.structure.frame import AXES
 THETA, DRIFT, JOINTS, HOMOGENEOUS, SYMMETRIC = "4.4.2.2(3)", "4.4.3.2(1)", "4.4.2.3(4)", "6.7.3(8)", "6.7.1(3)"
 SLENDER = ("6.7.3(1)", "6.7.3(2)", "6.7.3(3)")
 CLASS, COLUMN_BASES, PANELS, TORSION = "6.5.3(2)", "6.6.3(4)", "6.6.3(6)", "4.2.3.2(6)"
+LINKS = ("6.8.2(4)", "6.8.2(6)", "6.8.2(7)", "6.8.2(10)")
 GRADUAL, NTC_ALONE = "4.2.3.3(3)", ("NTC 2018, 7.5.3.2", "NTC 2018, 7.5.5")
 
 FINITE = 1e6
@@ -228,7 +229,7 @@ def searched_clauses(analysis: ElasticAnalysis) -> frozenset[str]:
     The symmetry of diagonals is one of them where those of a storey are of several groups; all others (q, modes) are
     those of the file whatever its sections.
     """
-    found = {CLASS, COLUMN_BASES, PANELS, TORSION, THETA, DRIFT, JOINTS, HOMOGENEOUS, STABLE, *SLENDER}
+    found = {CLASS, COLUMN_BASES, PANELS, TORSION, THETA, DRIFT, JOINTS, HOMOGENEOUS, STABLE, *SLENDER, *LINKS}
     if rules_of(design_of(analysis.building)).changes is not None:
         found |= {GRADUAL, *NTC_ALONE}
     limits = design_of(analysis.building).serviceability
@@ -276,6 +277,13 @@ def utilisations(design: ElasticDesign, clauses: frozenset[str]) -> Mapping[str,
         asked = [joint.ratio for joint in design.joints if joint.axis == axis and not joint.exempt]
         found[f"{JOINTS} {axis}"] = LEAST_RATIO / np.maximum(np.array(asked), LEAST_RATIO / FINITE)
         Omega = design.overstrength[axis]
+        if linked := [link for link in design.links if link.axis == axis]:
+            found[f"{LINKS[0]} V{axis}"] = np.array([link.shear_use for link in linked])
+            found[f"{LINKS[0]} M{axis}"] = np.array([link.moment_use for link in linked])
+            found[f"{LINKS[1]} {axis}"] = np.array([link.e / max(link.longest, 1e-3 * link.e) for link in linked])
+            found[f"{LINKS[2]} {axis}"] = Omega.ratios / Omega.Omega / (1.0 + HOMOGENEITY)
+            found[f"{LINKS[3]} {axis}"] = np.array([link.theta_p / link.theta_pR for link in linked])
+            continue
         if system_of(block, axis).type == MOMENT_FRAME or not Omega.members.size:
             continue
         many = design.frame.n_floors > FEW_STOREYS

@@ -29,8 +29,9 @@ def space_frame(building: Building, design: bool = False) -> SpaceFrame:
     """Return a building as nodes, members, load cases and masses.
 
     Load cases are `G`, the permanent loads of the file; `self_weight`, that of the members, if the file wants it; and
-    `Q_B` and so on, the variable loads of each category. A beam that braces meet is two members with a
-    node between them, or three with a seismic link. The lower half of the first storey has no mass. Footings are springs of their static stiffness.
+    `Q_B` and so on, the variable loads of each category. A beam that braces meet is two members with a node between
+    them, or three with a seismic link inside. The lower half of the first storey has no mass. Footings are springs of
+    their static stiffness.
 
     Args:
         building: from `load_building`.
