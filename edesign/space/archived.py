@@ -38,6 +38,8 @@ def groups(design: ElasticDesign) -> Iterator[tuple[str, Group]]:
         yield f"{PLACE}/joints", _joints(design)
     if design.panels:
         yield f"{PLACE}/panels", _panels(design)
+    if design.links:
+        yield f"{PLACE}/links", _links(design)
     yield f"{PLACE}/foundations", _foundations(design)
     yield f"{PLACE}/members", _members(design)
     if design.members.free_beams is not None:
@@ -232,6 +234,45 @@ def _panels(design: ElasticDesign) -> Group:
         ("doubler", "m", "thickness of that plate, 0: none is needed"),
     )
     return _columns("panel", "number of the web panel", panels, columns)
+
+
+def _links(design: ElasticDesign) -> Group:
+    of_links = (
+        ("member", "", "name of the link"),
+        ("axis", "", "direction of its bracing"),
+        ("section", "", "section"),
+        ("e", "m", "length"),
+        ("alpha", "1", "smaller over greater moment at its ends"),
+        ("e_s", "m", "length up to which it is short"),
+        ("e_L", "m", "length from which it is long"),
+        ("category", "", "short, intermediate or long"),
+        ("N_Ed", "N", "in the seismic design situation, without sign"),
+        ("V_Ed", "N", "in the seismic design situation, without sign"),
+        ("M_Ed", "N*m", "in the seismic design situation, without sign"),
+        ("axial", "1", "N_Ed / N_pl,Rd"),
+        ("V_p", "N", "V_p,link, less beside an axial force above 0.15 N_pl,Rd"),
+        ("M_p", "N*m", "M_p,link, less beside an axial force above 0.15 N_pl,Rd"),
+        ("shear_use", "1", "V_Ed / V_p,link"),
+        ("moment_use", "1", "M_Ed / M_p,link"),
+        ("longest", "m", "largest length where N_Ed is at least 0.15 N_pl,Rd; infinite elsewhere"),
+        ("Omega", "1", "Omega_i"),
+        ("theta_p", "rad", "rotation between the link and the beam beside it"),
+        ("theta_pR", "rad", "limit of the rotation"),
+        ("lateral", "N", "force on the lateral supports of either flange at its ends"),
+    )
+    group = _columns("link", "number of the link", design.links, of_links)
+    for name, unit, text in (
+        ("end_thickness", "m", "thickness of stiffeners where braces meet it"),
+        ("end_width", "m", "least width of both of them together"),
+        ("spacing", "m", "largest distance of stiffeners between its ends, infinite: none for shear"),
+        ("flange_distance", "m", "distance of one stiffener each from its ends, 0: none for bending"),
+        ("count", "1", "stiffeners between its ends"),
+        ("thickness", "m", "their thickness"),
+        ("width", "m", "least width of each of them"),
+        ("sides", "1", "sides of the web at which they stand"),
+    ):
+        group.add(name, ("link",), np.array([getattr(link.stiffeners, name) for link in design.links]), unit, text)
+    return group
 
 
 def _foundations(design: ElasticDesign) -> Group:

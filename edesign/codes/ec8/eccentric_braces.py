@@ -182,7 +182,7 @@ class LinkStiffeners:
         count: of all between the ends of the link.
         thickness: of those between the ends, m; 0 without any.
         width: least width of each, m.
-        both_sides: whether they stand at both sides of the web.
+        sides: of the web at which they stand, 1 or 2.
     """
 
     end_thickness: float
@@ -192,7 +192,7 @@ class LinkStiffeners:
     count: int
     thickness: float
     width: float
-    both_sides: bool
+    sides: int
 
 
 def link_stiffeners(
@@ -230,7 +230,7 @@ def link_stiffeners(
         count=count,
         thickness=max(t_w, _LEAST_THICKNESS) if count else 0.0,
         width=0.5 * b - t_w,
-        both_sides=d >= _ONE_SIDED_BELOW,
+        sides=2 if d >= _ONE_SIDED_BELOW else 1,
     )
 
 

@@ -20,6 +20,7 @@ from edesign.report.building.combination_table import combinations_table
 from edesign.report.building.deflection_table import deflection_table
 from edesign.report.building.foundation_table import foundation_table, persistent_table, reaction_table
 from edesign.report.building.lateral_tables import drifts_table, lateral_cases_table
+from edesign.report.building.link_tables import link_details_table, links_table
 from edesign.report.building.results import MET, NOT_MET, BuildingResults, Row
 from edesign.report.building.steel_list import doublers_table, every_member_table, steel_list_table
 from edesign.report.tables.cell import Value
@@ -319,6 +320,8 @@ TABLES: tuple[Make, ...] = (
     base_shear_table,
     *(partial(storeys_table, axis=axis) for axis in AXES),
     criteria_table,
+    links_table,
+    link_details_table,
     groups_table,
     steel_list_table,
     doublers_table,

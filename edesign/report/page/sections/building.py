@@ -28,6 +28,7 @@ from edesign.report.building.facts import building_rows, design_rows
 from edesign.report.building.force_diagrams import force_diagrams
 from edesign.report.building.foundation_table import foundation_table, persistent_table, reaction_table
 from edesign.report.building.lateral_tables import drifts_table, lateral_cases_table
+from edesign.report.building.link_tables import link_details_table, links_table
 from edesign.report.building.model_figures import archived_building_model
 from edesign.report.building.other_tables import other_tables
 from edesign.report.building.results import BuildingResults
@@ -231,7 +232,11 @@ _SECTIONS: tuple[tuple[str, str, tuple[Parts, ...]], ...] = (
     ),
     ("steel", "Steel list", (_table(steel_list_table), _table(doublers_table))),
     ("checks", "Checks of members", (_checks,)),
-    ("capacity", "Rules and capacity design", tuple(map(_table, (criteria_table, overstrength_table, joints_table)))),
+    (
+        "capacity",
+        "Rules and capacity design",
+        tuple(map(_table, (criteria_table, links_table, link_details_table, overstrength_table, joints_table))),
+    ),
     ("foundations", "Foundations", tuple(map(_table, (reaction_table, persistent_table, foundation_table)))),
     ("others", "Other results", (_others,)),
     ("combinations", "Combinations of actions", (_table(combinations_table),)),
