@@ -23,7 +23,8 @@ LINKS = TableSpec[Row](
     ),
     notes=(
         "V_p, M_p: of web and flanges (EN 1998-1, 6.8.2(3)), less where N/N_pl is above 0.15; Omega_i: 1.5 V_p/V_Ed of "
-        "short links, 1.5 M_p/M_Ed of others (6.8.3(1)); theta_p: plastic drift times span over e, and its limit, mrad (6.8.2(10))",
+        "short links, 1.5 M_p/M_Ed of others (6.8.3(1)); theta_p: plastic drift times span over e, "
+        "and its limit, mrad (6.8.2(10))",
     ),
     formulas=True,
 )
