@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from building_examples import building, moment_frames
+from building_examples import building, changed, moment_frames
 
 from edesign.space.structure.geometry import space_frame
 from edesign.space.structure.model import masters, member_properties, space_model
@@ -13,20 +13,18 @@ ops = pytest.importorskip("openseespy.opensees")
 
 pytestmark = pytest.mark.peer
 
-TWO_STOREYS = (
-    moment_frames(storeys="4 m, 3.5 m")
-    .replace(
+_ALL = "frames: all, bays: all, section: SHS150x8, material: S275"
+TWO_STOREYS = changed(
+    moment_frames(storeys="4 m, 3.5 m"),
+    (
         "materials:",
         "braces:\n"
-        "  - {along: x, frames: all, bays: all, kind: chevron, link: 0.7 m, section: SHS150x8, material: S}\n"
-        "  - {along: y, frames: all, bays: all, storeys: 1, kind: rising, link: 0.5 m, section: SHS150x8, material: S}\n"
-        "  - {along: y, frames: all, bays: all, storeys: 2, kind: falling, link: 0.9 m, section: SHS150x8, material: S}\n"
+        f"  - {{along: x, kind: chevron, link: 0.7 m, {_ALL}}}\n"
+        f"  - {{along: y, storeys: 1, kind: rising, link: 0.5 m, {_ALL}}}\n"
+        f"  - {{along: y, storeys: 2, kind: falling, link: 0.9 m, {_ALL}}}\n"
         "materials:",
-        1,
-    )
-    .replace(
-        "{x: {type: moment_frame, q: 4}, y: {type: moment_frame, q: 4}}", "{x: {type: eccentric}, y: {type: eccentric}}"
-    )
+    ),
+    ("{x: {type: moment_frame, q: 4}, y: {type: moment_frame, q: 4}}", "{x: {type: eccentric}, y: {type: eccentric}}"),
 )
 
 
