@@ -26,7 +26,7 @@ from edesign.report.archive.document import default_page_path, write_page
 from edesign.report.archive.tables import overview, short_tables
 from edesign.report.tables.text import PAPER, print_tables
 from edesign.space.archived import PLACE
-from edesign.space.elastic_design import ElasticDesign
+from edesign.space.designed import ElasticDesign
 from edesign.study.run.building import run_building
 from edesign.study.run.run import run_project, run_study
 

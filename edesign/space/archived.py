@@ -12,7 +12,7 @@ from edesign.space.analysis.response import STATIONS
 from edesign.space.archived_basis import add_restraints, basis
 from edesign.space.checks.buckling_moments import FreeBeamMoments
 from edesign.space.checks.foundations import COMPONENTS
-from edesign.space.elastic_design import ElasticDesign
+from edesign.space.designed import ElasticDesign
 from edesign.space.structure.design_block import design_of
 from edesign.space.structure.frame import AXES
 

@@ -13,7 +13,7 @@ from edesign.frame.sections.section_class import section_class
 from edesign.ground_motion.hazard import elastic_spectrum
 from edesign.space.analysis.effects import largest
 from edesign.space.analysis.response import AnyDesignSpectrum
-from edesign.space.elastic_design import ElasticDesign
+from edesign.space.designed import ElasticDesign
 from edesign.space.structure.frame import AXES
 from edesign.space.structure.load_cases import on_nodes
 from edesign.space.structure.masses import floor_masses

@@ -12,7 +12,8 @@ import numpy as np
 import pytest
 
 from edesign.frame.building_file import load_building
-from edesign.space.elastic_design import ElasticDesign, elastic_design
+from edesign.space.designed import ElasticDesign
+from edesign.space.elastic_design import elastic_design
 
 PROJECT = Path(__file__).resolve().parents[2] / "projects" / "thesis_building"
 PERIODS = (2.651286, 0.973412, 0.923146, 0.747592, 0.51529, 0.32702, 0.320467, 0.248166, 0.232642)

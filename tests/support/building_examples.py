@@ -7,7 +7,8 @@ import numpy as np
 from edesign.core.space import PROPERTIES, SpaceModel
 from edesign.frame.sections.building_sections import BuildingSections
 from edesign.project.building import Building, parse_building
-from edesign.space.elastic_design import ElasticDesign, elastic_design
+from edesign.space.designed import ElasticDesign
+from edesign.space.elastic_design import elastic_design
 from edesign.space.structure.frame import SpaceFrame
 from edesign.space.structure.geometry import space_frame
 from edesign.space.structure.model import member_properties, space_model

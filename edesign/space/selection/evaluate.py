@@ -19,7 +19,8 @@ from edesign.space.analysis.deflections import LIMITED
 from edesign.space.analysis.lateral import SWAY_LIMITED
 from edesign.space.analysis.sway import STABLE
 from edesign.space.checks.rules import brace_slenderness
-from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign
+from edesign.space.designed import ElasticDesign
+from edesign.space.elastic_design import ElasticAnalysis
 from edesign.space.selection.ahead import Ahead
 from edesign.space.selection.groups import Group
 from edesign.space.selection.wishes import wishes_of
@@ -171,7 +172,7 @@ class Evaluator:
             design: that gives the forces.
             choice: of the sections.
         """
-        frame = self.analysis.frame_with(self.sections(choice))
+        frame = self.analysis.sections.frame_with(self.sections(choice))
         frame = frame.with_sections(frame.members, design.frame.cases, frame.node_mass)  # loads are frozen too
         of_members = self.analysis.members.under_frozen_forces(frame, design.effects, design.members)
         found = np.zeros(len(self.groups))

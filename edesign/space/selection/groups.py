@@ -67,7 +67,7 @@ def _group(analysis: ElasticAnalysis, name: str) -> Group:
     building, frame = analysis.building, analysis.frame
     numbers = [number for number, of in enumerate(frame.members) if of.group == name]
     member = frame.members[numbers[0]]
-    (_, steel), kinds = analysis.steel_of(name, member.section), f"{member.kind}s"
+    (_, steel), kinds = analysis.sections.steel_of(name, member.section), f"{member.kind}s"
     select = design_of(building).select
     keys = ("lists", "groups", name) if name in select.lists.groups else ("lists", kinds)
     asked = select.lists.groups.get(name) or getattr(select.lists, kinds)
@@ -141,7 +141,7 @@ def _prices(analysis: ElasticAnalysis) -> Callable[[str], float]:
 def _fits(analysis: ElasticAnalysis, group: str, section: str, bent: bool, highest: int) -> bool:
     """Say whether a section is of a class that its group may have, and no thicker than its steel is made."""
     try:
-        _, steel = analysis.steel_of(group, section)
+        _, steel = analysis.sections.steel_of(group, section)
     except InputError:
         return False
     return dissipative_class(steel_section(section), steel.fy, bent).number <= highest
@@ -171,7 +171,7 @@ def _slender(analysis: ElasticAnalysis, group: str, members: Sequence[int]) -> C
             return False
         if not ranges:
             return True
-        of_one_metre = slenderness_of_one_metre(section, analysis.steel_of(group, section.name)[1])
+        of_one_metre = slenderness_of_one_metre(section, analysis.sections.steel_of(group, section.name)[1])
         return all(least < of_one_metre <= most for least, most in set(ranges))
 
     return fits

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from itertools import combinations, permutations, zip_longest
 
 from edesign.errors import InputError
-from edesign.space.elastic_design import ElasticDesign
+from edesign.space.designed import ElasticDesign
 from edesign.space.selection.evaluate import Choice, Evaluation, Evaluator, OutOfEvaluations
 from edesign.space.selection.groups import Group
 from edesign.space.selection.wishes import Exchange, Wishes

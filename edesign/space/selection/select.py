@@ -14,7 +14,8 @@ from edesign.one_thread import one_thread
 from edesign.project.building.building import Building
 from edesign.project.notation.printed_unit import told_apart
 from edesign.project.reading.values import KeyPath
-from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign, elastic_design
+from edesign.space.designed import ElasticDesign
+from edesign.space.elastic_design import ElasticAnalysis, elastic_design
 from edesign.space.selection.evaluate import Choice, Evaluator
 from edesign.space.selection.groups import Group, groups_of
 from edesign.space.selection.search import Found, Listener, Search, column_order
@@ -209,7 +210,7 @@ def _selection(
         building=designed,
         design=design,
         groups=tuple(rows),
-        mass_before=evaluate.analysis.steel_mass(),
+        mass_before=evaluate.analysis.sections.steel_mass(),
         mass=found.best.mass,
         cost=found.best.cost,
         evaluations=evaluate.count,

@@ -19,7 +19,8 @@ from edesign.optional_stages import optional
 from edesign.project.building.building import Building
 from edesign.space.archived import PLACE, SELECTION, groups
 from edesign.space.check import building_warnings
-from edesign.space.elastic_design import ElasticDesign, elastic_design
+from edesign.space.designed import ElasticDesign
+from edesign.space.elastic_design import elastic_design
 from edesign.space.selection.archived import selection_group
 from edesign.space.selection.select import Selection, select_sections
 from edesign.study.results.provenance import circumstances, root_group

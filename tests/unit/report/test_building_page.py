@@ -27,7 +27,7 @@ from edesign.report.building.tables import remarks
 from edesign.report.html.render import formula
 from edesign.report.tables.cell import Quantity
 from edesign.report.tables.unit import KN
-from edesign.space.elastic_design import ElasticDesign
+from edesign.space.designed import ElasticDesign
 from edesign.study.run.building import run_building
 
 OPEN = SMALL.replace("storeys: [4 m, 3 m]", "storeys: [4 m, 3 m]\ndiaphragms: none")

@@ -9,7 +9,8 @@ from building_examples import building, design_of, number_of
 from edesign.errors import InputError
 from edesign.frame.sections.steel_section import steel_section
 from edesign.space.analysis.deflections import LIMITED, Deflections, under_point_loads
-from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign
+from edesign.space.designed import ElasticDesign
+from edesign.space.elastic_design import ElasticAnalysis
 from edesign.space.selection.evaluate import searched_clauses
 
 HALL = """\

@@ -11,7 +11,7 @@ from building_examples import NO_TORSION, PINNED, braced_frames, changed, design
 from edesign.codes.ec3 import lateral_torsional
 from edesign.frame.sections.steel_section import steel_section
 from edesign.space.analysis.bracing import bracing
-from edesign.space.elastic_design import ElasticDesign
+from edesign.space.designed import ElasticDesign
 
 BUILDING = changed(braced_frames(storeys="4 m, 3 m"), PINNED, ("spans: y", "spans: x")) + NO_TORSION
 CHEVRONS = changed(BUILDING, ("kind: cross", "kind: chevron"), ("concentric_diagonal, q: 4", "concentric_v, q: 2"))

@@ -11,7 +11,8 @@ from building_examples import building, design_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign
+from edesign.space.designed import ElasticDesign
+from edesign.space.elastic_design import ElasticAnalysis
 from edesign.space.structure.frame import AXES
 
 LOPSIDED = """\
@@ -109,7 +110,14 @@ def test_no_check_is_used_less_under_more_load(factor: float) -> None:
         of = design.effects
         acting = replace(of, static=of.static * static, seismic=of.seismic * spectral)
         persistent = design.members.rows[: design.members.counts[0]]
-        combinations = persistent, analysis.seismic, design.overstrength, design.q, analysis.yielded, analysis.vertical
+        combinations = (
+            persistent,
+            analysis.combinations.seismic,
+            design.overstrength,
+            design.q,
+            analysis.combinations.yielded,
+            analysis.combinations.vertical,
+        )
         found = analysis.members.results(design.frame, acting, *combinations)
         return np.nan_to_num(found.utilisation, nan=0.0)
 

@@ -8,7 +8,7 @@ from building_examples import SMALL, building, changed, design_of, moment_frames
 
 from edesign.codes.rule_check import RuleCheck
 from edesign.space.checks.regularity import floor_stiffness
-from edesign.space.elastic_design import ElasticDesign
+from edesign.space.designed import ElasticDesign
 from edesign.space.structure.geometry import space_frame
 from edesign.space.structure.model import space_model
 from edesign.space.structure.plan_outline import recess_areas

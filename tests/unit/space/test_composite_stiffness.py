@@ -93,7 +93,7 @@ def test_secondary_beams_that_run_alike_narrow_the_slab() -> None:
 
 def test_other_sections_have_their_own_factor() -> None:
     """As `edesign design` tries them: the factor of IPE500 is less than that of IPE400."""
-    frame = ElasticAnalysis(building(FRAMES)).frame_with({"BX": "IPE500"})
+    frame = ElasticAnalysis(building(FRAMES)).sections.frame_with({"BX": "IPE500"})
     of = next(member for member in frame.members if member.name == "BX_2_1_1")
     section = steel_section("IPE500")
     slab = uncracked_inertia(section.A, section.I_y, section.h, Slab(0.08, 0.06, 7.0, 0.0), 1.4) / section.I_y

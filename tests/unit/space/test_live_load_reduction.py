@@ -8,7 +8,7 @@ from building_examples import building, design_of, number_of
 
 from edesign.frame.sections.steel_section import steel_section
 from edesign.space.analysis.live_load_reduction import loaded_areas
-from edesign.space.elastic_design import ElasticDesign
+from edesign.space.designed import ElasticDesign
 
 TOWER = """\
 edesign_building: 1

@@ -17,7 +17,7 @@ from edesign.report.building.results import BuildingResults
 from edesign.report.tables.number import significant
 from edesign.space.analysis.bracing import bracing
 from edesign.space.checks.foundations import supports
-from edesign.space.elastic_design import ElasticDesign
+from edesign.space.designed import ElasticDesign
 from edesign.study.run.building import run_building
 
 OWN_WEIGHT = ("self_weight: false", "self_weight: true")

@@ -10,7 +10,8 @@ from building_examples import building, design_of, number_of
 
 from edesign.errors import InputError
 from edesign.space.analysis.lateral import SWAY_LIMITED
-from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign
+from edesign.space.designed import ElasticDesign
+from edesign.space.elastic_design import ElasticAnalysis
 from edesign.space.selection.evaluate import searched_clauses
 from edesign.space.structure.frame import SpaceFrame
 from edesign.space.structure.geometry import space_frame

@@ -26,7 +26,8 @@ from edesign.report.building.selection_tables import selection_tables
 from edesign.report.tables.number import significant
 from edesign.space.check import check_building
 from edesign.space.checks.rules import brace_slenderness
-from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign, elastic_design
+from edesign.space.designed import ElasticDesign
+from edesign.space.elastic_design import ElasticAnalysis, elastic_design
 from edesign.space.selection.evaluate import Evaluator, utilisations
 from edesign.space.selection.groups import groups_of
 from edesign.space.selection.search import Search, column_order
@@ -381,7 +382,7 @@ def test_lists_of_diagonals_hold_what_has_an_allowed_slenderness() -> None:
     numbers = np.array([n for n, member in enumerate(analysis.frame.members) if member.group == "D"])
     assert "SHS250x8" in group.left_out and len(group.sections) > 5
     for section in group.sections:
-        slender = brace_slenderness(asked, analysis.frame_with({"D": section}), numbers)
+        slender = brace_slenderness(asked, analysis.sections.frame_with({"D": section}), numbers)
         assert ((slender > 1.3) & (slender <= 2.0)).all()
     free = next(
         of for of in groups_of(ElasticAnalysis(building(TEXT, ("D: [SHS150x8]", "D: [SHS]")))) if of.name == "D"

@@ -14,7 +14,8 @@ from edesign.core.space_buckling import SETTLED, _Basis
 from edesign.frame.sections.steel_section import steel_section
 from edesign.project.building import Building
 from edesign.space.analysis.sway import STABLE, critical_factors
-from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign
+from edesign.space.designed import ElasticDesign
+from edesign.space.elastic_design import ElasticAnalysis
 from edesign.space.selection.evaluate import searched_clauses
 
 PORTAL = portals() + NO_TORSION
