@@ -176,12 +176,14 @@ class ElasticAnalysis:
         limit = {axis: largest_q(self.building, system[axis], axis, low, regular) for axis in AXES}
         return {axis: limit[axis] if (q := system[axis].q) == "table" else float(q) for axis in AXES}, limit
 
-    def design(self, sections: Mapping[str, str] | None = None) -> ElasticDesign:
+    def design(self, sections: Mapping[str, str] | None = None, least_sway: bool = False) -> ElasticDesign:
         """Analyse the building and check it.
 
         Args:
             sections: section of each group; those of the file for groups without one. With any, `building` of the
                 result has still those of the file.
+            least_sway: whether one alpha_cr, below that of each combination, stands for all where it is above 10; all
+                checks are the same then.
 
         Returns:
             The design; members of class 4, which the checks do not cover, are in `members.slender`.
@@ -190,9 +192,9 @@ class ElasticAnalysis:
             InputError: a section is not known, modes that SRSS needs apart are close, or results are not finite.
         """
         with telling_member(self.building):
-            return self._designed(sections)
+            return self._designed(sections, least_sway)
 
-    def _designed(self, sections: Mapping[str, str] | None) -> ElasticDesign:
+    def _designed(self, sections: Mapping[str, str] | None, least_sway: bool) -> ElasticDesign:
         building, design, rows = self._made, self._design, self.combinations
         frame = self.sections.frame_with(sections) if sections else self.frame
         model, gravity_model = self._with_sections(frame)
@@ -211,7 +213,7 @@ class ElasticAnalysis:
         height = np.array(building.storey_heights)
         gravity = gravity_above(frame, rows.seismic[0].static)
         of_storeys = {axis: storeys(response[axis], height, gravity, design, self._class_of_use) for axis in AXES}
-        sway = self._sway.stability(model, frame, every, static, rows.fundamental)
+        sway = self._sway.stability(model, frame, every, static, rows.fundamental, least_sway)
         acting, persistent = sway.added(effects(frame, static, response, of_storeys)), sway.rows
         if self._reduction is not None:
             acting, persistent = self._reduction.added(acting), self._reduction.rows(persistent)

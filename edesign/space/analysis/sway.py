@@ -97,14 +97,20 @@ class SwayAnalysis:
         modes: SpaceModes,
         static: StaticResponse,
         combinations: Sequence[Combination],
+        least: bool = False,
     ) -> SwayStability:
         """Return the sway stability under persistent combinations.
+
+        K + alpha K_G loses its definiteness the later, the less columns are compressed. Where the largest compression
+        of each column in any combination leaves alpha_cr above 10, so does every combination, and amplifies nothing.
 
         Args:
             model: that resists horizontal forces, with its braces.
             frame: with the sections of the members.
             modes: all natural modes of the model.
             static: effects of the load cases.
+            least: whether the factors under the largest compression stand for those of all combinations, if they are
+                above 10.
         """
         mass = frame.node_mass
         if self._mass is not None:  # some loads hang on nodes without mass, which modes leave at rest
@@ -113,7 +119,11 @@ class SwayAnalysis:
         compression = -factors @ static.internal[:, frame.columns, STATIONS.size // 2, 0]
         axial = np.zeros((len(combinations), len(frame.members)))
         axial[:, frame.columns] = -compression
-        alpha_cr = np.array([critical_factors(model, modes, of, mass, frame.level_of_nodes) for of in axial])
+        alpha_cr, levels = np.zeros((len(combinations), 3)), frame.level_of_nodes
+        if least:
+            alpha_cr[:] = critical_factors(model, modes, axial.min(axis=0), mass, levels)
+        if alpha_cr.min() < FIRST_ORDER:
+            alpha_cr[:] = [critical_factors(model, modes, of, mass, levels) for of in axial]
         counted = np.clip(np.minimum(alpha_cr[:, :2], alpha_cr[:, 2:]), AMPLIFICATION, None)  # floors twist, too
         amplification = np.array([[sway_amplification(float(of)) for of in row] for row in counted])
         phi = np.array([[self._initial_sway(frame, of, axis) for axis in AXES] for of in compression])

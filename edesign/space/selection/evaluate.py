@@ -205,7 +205,7 @@ class Evaluator:
 
     def _design(self, choice: Choice) -> ElasticDesign:
         if self._last is None or self._last[0] != choice:
-            self._last = choice, self.analysis.design(self.sections(choice))
+            self._last = choice, self.analysis.design(self.sections(choice), least_sway=True)
         return self._last[1]
 
     def _evaluated(self, choice: Choice) -> Evaluation:
