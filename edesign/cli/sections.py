@@ -1,4 +1,4 @@
-"""`edesign sections`: the catalogue of rolled sections."""
+"""`edesign sections`: rolled and hollow sections with their properties."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import typer
 
 from edesign.archive.files import check_csv
 from edesign.cli.shared.complete import section_names
-from edesign.report.building.section_table import chosen_sections, section_data, section_table, write_sections
+from edesign.report.building.section_table import chosen_sections, section_data, section_tables, write_sections
 from edesign.report.tables.text import print_tables
 
 
@@ -19,7 +19,8 @@ def sections(
         str | None,
         typer.Argument(
             metavar="[FAMILY|NAME|PATTERN]",
-            help="HEB, HE (all that begin so), a name as you write it, or a pattern such as 'UB457*' or 'W14x*'.",
+            help="HEB, HE (all that begin so), SHS, CHS, L, IPN, a name as you write it, or a pattern such as 'UB457*' "
+            "or 'SHS160*'; without it all rolled I sections of parallel flanges.",
             show_default=False,
             autocompletion=section_names,
         ),
@@ -27,13 +28,13 @@ def sections(
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON in SI units instead of a table.")] = False,
     csv: Annotated[Path | None, typer.Option("--csv", metavar="FILE", help="Write the table.")] = None,
 ) -> None:
-    """Print the rolled sections that a project may name, with their properties."""
+    """Print the sections that a file may name, with their properties; hollow ones of any size by their name."""
     if csv is not None:
         check_csv(csv)
-    names = chosen_sections(what)
+    found = chosen_sections(what)
     if as_json:
-        print(json.dumps(section_data(names), indent=2, allow_nan=False, ensure_ascii=False))
+        print(json.dumps(section_data(found), indent=2, allow_nan=False, ensure_ascii=False))
     else:
-        print_tables([section_table(names)])
+        print_tables(section_tables(found))
     if csv is not None:
-        write_sections(names, csv)
+        write_sections(found, csv)

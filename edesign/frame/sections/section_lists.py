@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from functools import cache
 
 from edesign.errors import InputError
 from edesign.frame.sections.angles import angle_name, angle_names
 from edesign.frame.sections.building_sections import BuildingSections
 from edesign.frame.sections.profiles import profile_names
+from edesign.frame.sections.section_names import SectionNames
 from edesign.frame.sections.steel_section import SteelSection, steel_section
 from edesign.frame.sections.tapered import tapered_name, tapered_names
 
@@ -32,17 +34,57 @@ _SQUARE = {
     400: (8, 20),
 }
 """Least and largest thickness of hot finished squares, mm, by their sides. Source: EN 10210-2:1997, Annex B."""
+_ROUND_THICKNESSES = (2.6, 2.9, 3.2, 3.6, 4, 4.5, 5, 5.6, 6.3, 7.1, 8, 10, 11, 12.5, 14.2, 16)
+_ROUND = {
+    48.3: (2.6, 6.3),
+    60.3: (2.6, 8),
+    76.1: (2.9, 8),
+    88.9: (2.9, 8),
+    101.6: (3.6, 8),
+    114.3: (3.6, 8),
+    139.7: (3.6, 10),
+    168.3: (5, 12.5),
+    193.7: (5, 16),
+    219.1: (4.5, 16),
+    244.5: (5, 16),
+    273: (5, 16),
+    323.9: (5, 16),
+    355.6: (6.3, 16),
+    406.4: (10, 16),
+    457: (10, 16),
+    508: (10, 16),
+}
+"""Least and largest thickness of hot finished circular sections, mm, by their diameters.
+
+Source: sizes of Celsius 355 CHS (Tata Steel), a programme of EN 10210-2.
+"""
 SQUARES = "SHS"
-_OTHER_HOLLOW = ("RHS", "CHS", "CFSHS", "CFRHS", "CFCHS", "HSS")
+_OTHER_HOLLOW = ("RHS", "CFSHS", "CFRHS", "CFCHS", "HSS")
 _AS_GOOD = ("I_y", "I_z", "W_pl_y", "W_pl_z")
 _AS_GOOD_IN_SHEAR = (*_AS_GOOD, "A_vz")
+
+
+@cache
+def hollow_names() -> SectionNames:
+    """Return the names of the hollow sections that have a list of sizes: hot finished, square and circular."""
+    lists = ((SQUARES, _SQUARE, _THICKNESSES), ("CHS", _ROUND, _ROUND_THICKNESSES))
+    return SectionNames(
+        [
+            f"{family}{size:g}x{t:g}"
+            for family, sizes, thicknesses in lists
+            for size, (least, most) in sizes.items()
+            for t in thicknesses
+            if least <= t <= most
+        ]
+    )
 
 
 def sections_of(asked: str) -> tuple[SteelSection, ...]:
     """Return the sections that a name stands for: a family, a pattern such as `HEB3*`, or one section.
 
     Args:
-        asked: `HEB`, `SHS` (hot finished), `IPE3*`, `HEB300`, `SHS200x10`; `L`, `L100x100x10` of braces; `IPN`.
+        asked: `HEB`, `SHS`, `CHS` (hot finished), `IPE3*`, `SHS160*`, `HEB300`, `SHS200x10`; `L`, `L100x100x10` of
+            braces; `IPN`.
 
     Raises:
         InputError: there is none.
@@ -51,17 +93,17 @@ def sections_of(asked: str) -> tuple[SteelSection, ...]:
         return (steel_section(known),)
     if (known := angle_name(asked) or tapered_name(asked)) is not None:
         return (steel_section(known),)
-    if asked.upper() == SQUARES:
-        sizes = [(side, t) for side, (least, most) in _SQUARE.items() for t in _THICKNESSES if least <= t <= most]
-        names = [f"{SQUARES}{side}x{t:g}" for side, t in sizes]
-    elif asked.upper() in _OTHER_HOLLOW:
+    if asked.upper() in _OTHER_HOLLOW:
         raise InputError(
-            f"`{asked}` has no list of sizes; name the sections one by one, such as `CHS168.3x8` [E-SECT-03]"
+            f"`{asked}` has no list of sizes; name the sections one by one, such as `RHS200x100x8` [E-SECT-03]"
         )
-    else:
-        names = profile_names().chosen(asked) or angle_names().chosen(asked) or tapered_names().chosen(asked)
+    lists = (profile_names, angle_names, tapered_names, hollow_names)
+    names = next((found for of in lists if (found := of().chosen(asked))), [])
     if not names:
-        raise InputError(f"there is no section or family `{asked}`; {BuildingSections().near(asked)} [E-NAME-01]")
+        raise InputError(
+            f"there is no section or family `{asked}`; {BuildingSections().near(asked)}; other families are "
+            f"{', '.join(family for of in lists[1:] for family in of().families)} [E-NAME-01]"
+        )
     return tuple(map(steel_section, names))
 
 

@@ -1,19 +1,21 @@
-"""The catalogue of rolled sections as a table, a CSV file and plain data for JSON."""
+"""Steel sections as tables, a CSV file and plain data for JSON."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 from edesign.archive.csv_files import write_csv_file
-from edesign.errors import InputError
+from edesign.codes.ec3.section import SteelSection
 from edesign.frame.sections.profiles import profile_names
-from edesign.frame.sections.steel_section import SteelSection, steel_section
+from edesign.frame.sections.section_lists import sections_of
+from edesign.frame.sections.steel_section import steel_section
 from edesign.report.tables.cell import Quantity
 from edesign.report.tables.column import Column, col, text
 from edesign.report.tables.table import Table, TableSpec
-from edesign.report.tables.unit import CM2, CM3, CM4, MM, Unit
+from edesign.report.tables.unit import CM, CM2, CM3, CM4, MM, Unit
 
 _KEYS = {
     "h_m": "h",
@@ -24,6 +26,8 @@ _KEYS = {
     "A_m2": "A",
     "I_y_m4": "I_y",
     "I_z_m4": "I_z",
+    "i_y_m": "i_y",
+    "i_z_m": "i_z",
     "W_pl_y_m3": "W_pl_y",
     "mass_kg_m": "mass",
 }
@@ -62,43 +66,91 @@ SECTIONS = TableSpec[SteelSection](
 )
 
 
-def chosen_sections(what: str | None) -> list[str]:
-    """Return the names of the catalogue that a family, a name or a pattern stands for, all of them if None.
+HOLLOW = TableSpec[SteelSection](
+    "hollow_sections",
+    "Hollow sections (lengths in mm, i in cm, A in cm2, I in cm4, W in cm3, kg/m)",
+    (
+        text("section", "name"),
+        _property("h", MM),
+        _property("b", MM),
+        _property("t", MM, "tw", digits=3),
+        _property("A", CM2),
+        _property("I_y", CM4),
+        _property("I_z", CM4),
+        _property("i_y", CM),
+        _property("i_z", CM),
+        _property("W_pl", CM3, "W_pl_y"),
+        _property("mass", Unit("kg/m"), digits=3),
+    ),
+    named_by_title=True,
+)
+ANGLES = TableSpec[SteelSection](
+    "angles",
+    "Angles about u and v (lengths in mm, i in cm, A in cm2, I in cm4, mass in kg/m)",
+    (
+        text("section", "name"),
+        _property("h", MM),
+        _property("b", MM),
+        _property("t", MM, "tw", digits=3),
+        _property("r", MM, digits=3),
+        _property("A", CM2),
+        _property("I_u", CM4, "I_y"),
+        _property("I_v", CM4, "I_z"),
+        _property("i_u", CM, "i_y"),
+        _property("i_v", CM, "i_z"),
+        _property("mass", Unit("kg/m"), digits=3),
+    ),
+    named_by_title=True,
+)
+_TABLES = {"I": SECTIONS, "RHS": HOLLOW, "CHS": HOLLOW, "L": ANGLES}
+
+
+def chosen_sections(what: str | None) -> list[SteelSection]:
+    """Return the sections that a family, a name or a pattern stands for; if None all rolled I sections.
 
     Raises:
         InputError: there is none; the message says what there is near it.
     """
-    names = profile_names()
-    found = list(names) if what is None else names.chosen(what)
-    if not found:
-        raise InputError(f"no section of the catalogue is `{what}`; {names.near(what or '')} [E-NAME-01]")
-    return found
+    return list(map(steel_section, profile_names()) if what is None else sections_of(what))
 
 
-def section_table(names: Sequence[str]) -> Table:
-    """Return the properties of sections, narrow enough for 80 columns: the units are in the title."""
-    return SECTIONS.of(map(steel_section, names))
+def section_tables(sections: Sequence[SteelSection]) -> list[Table]:
+    """Return the properties of sections, a table a shape, narrow enough for 80 columns: the units are in the title."""
+    of_shapes: dict[str, tuple[TableSpec[SteelSection], list[SteelSection]]] = {}
+    for section in sections:
+        spec = _TABLES[section.kind]
+        of_shapes.setdefault(spec.name, (spec, []))[1].append(section)
+    return [spec.of(found) for spec, found in of_shapes.values()]
 
 
-def section_data(names: Sequence[str]) -> list[dict[str, Any]]:
-    """Return the properties of sections in SI, by keys that end in the unit."""
+def section_data(sections: Sequence[SteelSection]) -> list[dict[str, Any]]:
+    """Return the properties of sections in SI, by keys that end in the unit; None where a shape has no such one."""
     return [
-        {"name": name, "inch_pound_name": profile_names().inch_pound_name(name) or None}
-        | {key: getattr(steel_section(name), of) for key, of in _KEYS.items()}
-        for name in names
+        {"name": section.name, "inch_pound_name": profile_names().inch_pound_name(section.name) or None}
+        | {key: None if math.isnan(found := getattr(section, of)) else found for key, of in _KEYS.items()}
+        for section in sections
     ]
 
 
-def write_sections(names: Sequence[str], path: Path) -> None:
-    """Write the properties of sections as CSV, in the units of the table, seven digits.
+def write_sections(sections: Sequence[SteelSection], path: Path) -> None:
+    """Write the properties of sections as CSV, in the units of the tables, seven digits.
 
     Raises:
         ArchiveError: it cannot be written.
     """
-    _, *columns = SECTIONS.columns
+    columns = (*SECTIONS.columns[1:], _property("i_y", CM), _property("i_z", CM))
     headers = ["section", "inch_pound_name", *(f"{of.header} [{of.unit_in_files}]" for of in columns)]
     rows = (
-        (name, profile_names().inch_pound_name(name), *(of.data(of.of(steel_section(name))) for of in columns))
-        for name in names
+        (
+            section.name,
+            profile_names().inch_pound_name(section.name),
+            *(_known(of.data(of.of(section))) for of in columns),
+        )
+        for section in sections
     )
     write_csv_file(headers, rows, path, _DIGITS)
+
+
+def _known(cell: Any) -> Any:
+    """A cell; None of a property that a shape has not."""
+    return None if isinstance(cell, float) and math.isnan(cell) else cell

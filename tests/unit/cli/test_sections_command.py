@@ -43,5 +43,33 @@ def test_json_and_csv_hold_the_same(tmp_path: Path, capsys: pytest.CaptureFixtur
 
 
 def test_nothing_of_that_name(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["sections", "L100x10"]) == 2
-    assert says(capsys.readouterr().err, "`L100x10`; no L sections E-NAME-01")
+    assert main(["sections", "M100x10"]) == 2
+    assert says(capsys.readouterr().err, "`M100x10`; no M sections other families L, IPN, SHS, CHS E-NAME-01")
+    assert main(["sections", "RHS"]) == 2
+    assert says(capsys.readouterr().err, "no list of sizes; one by one E-SECT-03")
+
+
+@pytest.mark.parametrize(
+    ("what", "row"),
+    [
+        ("SHS160x10", "SHS160x10 160 160 10 58.93 2186 2186 6.09 6.09 329 46.3"),  # EN 10210-2: 58.9 2186 6.09 329 46.3
+        ("CHS219.1x10", "CHS219.1x10 219.1 219.1 10 65.69 3598 3598 7.401 7.401 437.6 51.6"),  # Celsius: 65.7 3598 438
+        ("L 100x10", "L100x100x10 100 100 10 12 19.15 280.3 73.01 3.826 1.952 15"),  # EN 10056-1: 19.2 280 73 3.83 1.95
+    ],
+)
+def test_hollow_sections_and_angles_have_tables_of_their_own(
+    what: str, row: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["sections", what]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[-1].split() == row.split() and max(map(len, lines)) <= 80
+
+
+def test_patterns_of_hollow_sections(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["sections", "SHS160*"]) == 0
+    names = [line.split()[0] for line in capsys.readouterr().out.splitlines()[3:]]
+    assert names[0] == "SHS160x5" and names[-1] == "SHS160x16" and len(names) == 8
+    assert main(["sections", "L100*", "--json", "--csv", str(tmp_path / "l.csv")]) == 0
+    assert json.loads(capsys.readouterr().out)[0]["W_pl_y_m3"] is None
+    with (tmp_path / "l.csv").open(encoding="utf-8") as file:
+        assert next(csv.DictReader(file))["W_pl [cm3]"] == ""

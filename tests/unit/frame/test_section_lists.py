@@ -27,8 +27,28 @@ def test_squares_have_the_masses_of_the_standard() -> None:
         assert listed[name].mass == pytest.approx(mass, rel=4e-3), name  # half a unit of the third digit, at 115
 
 
+ROUND = {
+    "CHS48.3x3.2": (4.53, 11.6, 6.52),
+    "CHS114.3x6.3": (21.4, 313.0, 73.6),
+    "CHS168.3x8": (40.3, 1297.0, 206.0),
+    "CHS244.5x10": (73.7, 5073.0, 550.0),
+    "CHS323.9x16": (155.0, 18390.0, 1518.0),
+    "CHS508x14.2": (220.0, 67199.0, 3463.0),
+}
+"""A cm2, I cm4 and W_pl cm3 of Celsius 355 CHS to EN 10210-2, as Tata Steel prints them, to three digits."""
+
+
+def test_circular_sections_have_the_properties_of_the_mill() -> None:
+    listed = {section.name: section for section in sections_of("CHS")}
+    assert len(listed) == 147
+    for name, (A, I_y, W_pl) in ROUND.items():
+        of = listed[name]
+        assert (1e4 * of.A, 1e8 * of.I_y, 1e6 * of.W_pl_y) == pytest.approx((A, I_y, W_pl), rel=3e-3), name
+
+
 def test_names_stand_for_families_patterns_and_sections() -> None:
     assert [section.name for section in sections_of("IPE3*")] == ["IPE300", "IPE330", "IPE360"]
+    assert [section.name for section in sections_of("CHS406*")][-1] == "CHS406.4x16"
     assert [section.name for section in sections_of("he 300 b")] == ["HEB300"]
     assert [section.name for section in sections_of("CHS168.3x8")] == ["CHS168.3x8"]
     assert {section.name[:3] for section in sections_of("HEB")} == {"HEB"}
