@@ -23,7 +23,7 @@ def first_of_largest(values: np.ndarray) -> int:
     return int(np.flatnonzero(values >= least)[0])
 
 
-_NAMED = ("EN ", "ASCE ", "NTC ")  # a clause of another standard than EN 1998-1 begins with its name
+_NAMED = ("EN ", "ASCE ", "AISC ", "NTC ")  # a clause of another standard than EN 1998-1 begins with its name
 
 
 def with_standard(clause: str) -> str:

@@ -10,6 +10,7 @@ import numpy as np
 from edesign.codes.ntc2018.behaviour_factor import limit_of_q, limit_of_q_for_damage
 from edesign.codes.ntc2018.drift import limit_state_of_drift
 from edesign.codes.rule_check import RuleCheck, at_most
+from edesign.project.building.design import RESTRAINED
 from edesign.space.analysis.combinations import BuildingCombinations
 from edesign.space.analysis.deflections import deflection_criteria
 from edesign.space.analysis.design_spectra import DesignSpectra
@@ -17,6 +18,7 @@ from edesign.space.analysis.lateral import sway_limits
 from edesign.space.analysis.sway import sway_criteria
 from edesign.space.checks.column_bases import base_criteria
 from edesign.space.checks.links import link_criteria
+from edesign.space.checks.restrained_braces import restrained_criteria
 from edesign.space.checks.rules import (
     allowed_class,
     behaviour_criteria,
@@ -31,6 +33,7 @@ from edesign.space.checks.web_panels import panel_criteria
 from edesign.space.designed import ElasticDesign
 from edesign.space.structure.design_block import ECCENTRIC, MOMENT_FRAME, Regular, design_of, rules_of, system_of
 from edesign.space.structure.frame import AXES, Axis
+from edesign.space.structure.restrained import laws_of_groups, restrained_braces
 
 
 def building_criteria(
@@ -83,6 +86,9 @@ def building_criteria(
                 rules.base_axial,
             )
             criteria += panel_criteria(panels, len(own), axis, design.members.doubler_plates)
+        elif system_of(design, axis).type == RESTRAINED:
+            restrained = restrained_braces(frame, laws_of_groups(building))
+            criteria += restrained_criteria(frame, restrained, found.overstrength[axis], found.storeys[axis])
         elif system_of(design, axis).type == ECCENTRIC:
             criteria += link_criteria([link for link in found.links if link.axis == axis], design.overstrength)
         else:

@@ -63,7 +63,12 @@ def _limits(
         )
     notes += [vertical.note] if vertical else []
     notes += [LIVE_LOADS_REDUCED] if building.loads.live_load_reduction else []
-    if stiffer := [member.name for member in frame.members if member.stiffness_factor != 1.0]:
+    if any(run.law is not None for run in building.braces):
+        notes.append(
+            "weight, mass and cost of buckling-restrained braces count with their steel cores alone; their casings "
+            "stand under `loads` where they matter"
+        )
+    if stiffer := [of.name for of in frame.members if of.stiffness_factor != 1.0 and not of.axial_only]:
         notes.append(
             f"E I of {listed(stiffer, 3)} is multiplied by their `stiffness_factor`; their resistance is that of "
             "the steel section alone"

@@ -33,7 +33,7 @@ from edesign.space.analysis.response import (
 from edesign.space.analysis.storeys import storeys
 from edesign.space.analysis.sway import SwayAnalysis
 from edesign.space.analysis.vertical_component import vertical_component
-from edesign.space.analysis.yielded_braces import with_yielded_braces
+from edesign.space.analysis.yielded_braces import with_restrained_braces, with_yielded_braces
 from edesign.space.building_criteria import building_criteria, q_without_dissipation
 from edesign.space.checks.capacity import dissipative_members, joints, overstrength
 from edesign.space.checks.column_bases import hinged_bases
@@ -41,6 +41,7 @@ from edesign.space.checks.foundations import foundation_factors, foundations, su
 from edesign.space.checks.links import links, overstrength_of_links
 from edesign.space.checks.member_checks import LARGEST_CLASS, MemberChecker
 from edesign.space.checks.regularity import regularity, shape
+from edesign.space.checks.restrained_braces import hardening_of
 from edesign.space.checks.rules import (
     largest_q,
 )
@@ -54,6 +55,7 @@ from edesign.space.structure.geometry import space_frame
 from edesign.space.structure.load_cases import ALWAYS
 from edesign.space.structure.model import member_properties, space_model
 from edesign.space.structure.other_sections import OtherSections
+from edesign.space.structure.restrained import RestrainedBraces, laws_of_groups, restrained_braces
 from edesign.space.structure.steel_by_thickness import with_steel_by_thickness
 
 
@@ -109,7 +111,9 @@ class ElasticAnalysis:
 
     def __init__(self, building: Building, progress: Callable[[str], None] = lambda stage: None) -> None:
         self.building, self._progress = building, progress
-        building = building.model_copy(update={"dampers": None})  # beams that they would meet are whole, too
+        if (dampers := building.dampers) is not None:  # beams that they would meet are whole, too; laws stay
+            none = dampers.model_copy(update={"devices": (), "attachments": (), "isolation": None})
+            building = building.model_copy(update={"dampers": none})
         self._made = building = with_steel_by_thickness(building)
         self._design = design_of(building)
         hazard = hazard_of(building)
@@ -133,6 +137,7 @@ class ElasticAnalysis:
         self.dissipative = {axis: dissipative_members(self.frame, axis, system[axis].type) for axis in AXES}
         self._refuse()
         self.bracing = bracing(self.frame)
+        self._laws = laws_of_groups(building)
         self._single = single_diagonals(self.frame, self.bracing)
         self.supports = supports(self.frame, self.bracing)
         self._bases = {axis: hinged_bases(self.frame, axis) for axis in AXES}
@@ -143,8 +148,9 @@ class ElasticAnalysis:
         self.members = MemberChecker(building, self.frame, self.dissipative, self.bracing, concerned)
         self._sway = SwayAnalysis(self.frame, self._design.imperfections == "sway")
         joined = with_joined_cases(self.frame).cases
+        restrained = restrained_braces(self.frame, self._laws).numbers.tolist()
         self.combinations = building_combinations(
-            building, self._design, self._national, joined, self.bracing, self._vertical is not None
+            building, self._design, self._national, joined, self.bracing, self._vertical is not None, restrained
         )
         psi = psi_of(building, self._national)
         wanted = building.loads.live_load_reduction
@@ -217,7 +223,8 @@ class ElasticAnalysis:
         acting, persistent = sway.added(effects(frame, static, response, of_storeys)), sway.rows
         if self._reduction is not None:
             acting, persistent = self._reduction.added(acting), self._reduction.rows(persistent)
-        acting = self._with_local_actions(acting, building, frame, gravity_model)
+        restrained = restrained_braces(frame, self._laws)
+        acting = self._with_local_actions(acting, building, frame, gravity_model, restrained)
         in_earthquakes = largest(acting, rows.seismic)
         steel, gamma_M0 = building.materials, design.partial_factors.M0
         kind = {axis: system_of(design, axis).type for axis in AXES}
@@ -249,6 +256,7 @@ class ElasticAnalysis:
             )
             for axis in AXES
         }
+        Omega = {axis: replace(of, hardening=hardening_of(restrained, of.members)) for axis, of in Omega.items()}
         self._progress("checks of the members")
         most = {
             axis: q[axis] / q_without_dissipation(kind[axis], regular) if self._class_of_use else q[axis]
@@ -323,12 +331,19 @@ class ElasticAnalysis:
         )
 
     def _with_local_actions(
-        self, acting: Effects, building: Building, frame: SpaceFrame, gravity_model: SpaceModel
+        self,
+        acting: Effects,
+        building: Building,
+        frame: SpaceFrame,
+        gravity_model: SpaceModel,
+        restrained: RestrainedBraces,
     ) -> Effects:
-        """Return the effects with static cases of buckled braces and of the vertical component, where they count."""
+        """Return the effects with static cases of braces that yield and of the vertical component, where they count."""
         if self.combinations.yielded:
-            gamma_pb = self._national.gamma_pb
-            acting = with_yielded_braces(acting, gravity_model, frame, self.bracing, building, gamma_pb)
+            of = frame, self.bracing, building, self._national.gamma_pb, restrained.numbers.tolist()
+            acting = with_yielded_braces(acting, gravity_model, *of)
+        if restrained.numbers.size:
+            acting = with_restrained_braces(acting, gravity_model, frame, self.bracing, restrained)
         if self._single.any() and self._design.ductility_class != "low":
             acting = with_buckled_diagonals(acting, frame, self.bracing, self._single, building)
         return self._vertical.with_case(acting, self.combinations.seismic[0]) if self._vertical else acting

@@ -8,6 +8,22 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+LEAST_DRIFT = 0.02
+"""Least storey drift over the height that braces are made for. Source: AISC 341-16, F4.2."""
+
+
+def expected_deformation(design_drift: float, height: float, cosine: float) -> float:
+    """Return the deformation between work points that a brace is made for, 2 Delta_bm or that of 2 % drift, m.
+
+    Args:
+        design_drift: of the storey, m.
+        height: of the storey, m.
+        cosine: of the slope of the brace against the horizontal.
+
+    Source: AISC 341-16, F4.2: twice the design storey drift, or 2 % of the storey height if more.
+    """
+    return max(2.0 * design_drift, LEAST_DRIFT * height) * cosine
+
 
 @dataclass(frozen=True)
 class RestrainedBrace:

@@ -98,6 +98,8 @@ def section_class(
     if section.kind == "CHS":
         parts = [PartClass("wall", section.h / section.tw, tubular_limits(eps))] if compressed else []
         return SectionClass(section.name, tuple(parts) or (_free("wall"),))
+    if section.kind == "BRB":
+        return SectionClass(section.name, (_free("core"),))  # its casing holds it
     if section.kind == "L":
         if not compressed:
             return SectionClass(section.name, (_free("leg"),))

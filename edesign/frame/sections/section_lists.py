@@ -9,6 +9,7 @@ from edesign.errors import InputError
 from edesign.frame.sections.angles import angle_name, angle_names
 from edesign.frame.sections.building_sections import BuildingSections
 from edesign.frame.sections.profiles import profile_names
+from edesign.frame.sections.restrained_core import FAMILY, core_name
 from edesign.frame.sections.section_names import SectionNames
 from edesign.frame.sections.steel_section import SteelSection, steel_section
 from edesign.frame.sections.tapered import tapered_name, tapered_names
@@ -61,7 +62,8 @@ Source: sizes of Celsius 355 CHS (Tata Steel), a programme of EN 10210-2.
 SQUARES = "SHS"
 _OTHER_HOLLOW = ("RHS", "CFSHS", "CFRHS", "CFCHS", "HSS")
 _AS_GOOD = ("I_y", "I_z", "W_pl_y", "W_pl_z")
-_AS_GOOD_IN_SHEAR = (*_AS_GOOD, "A_vz")
+_PROPERTIES = {"I": (*_AS_GOOD, "A_vz"), "L": ("I_y", "I_z"), "BRB": ("A",)}
+"""By which a section is as good as another, where that is not `_AS_GOOD`."""
 
 
 @cache
@@ -91,11 +93,15 @@ def sections_of(asked: str) -> tuple[SteelSection, ...]:
     """
     if (known := BuildingSections().canonical(asked)) is not None:
         return (steel_section(known),)
-    if (known := angle_name(asked) or tapered_name(asked)) is not None:
+    if (known := angle_name(asked) or tapered_name(asked) or core_name(asked)) is not None:
         return (steel_section(known),)
     if asked.upper() in _OTHER_HOLLOW:
         raise InputError(
             f"`{asked}` has no list of sizes; name the sections one by one, such as `RHS200x100x8` [E-SECT-03]"
+        )
+    if asked.upper() == FAMILY:
+        raise InputError(
+            f"`{asked}` has no list of sizes; name the areas of cores in cm2 one by one, such as `BRB25` [E-SECT-03]"
         )
     lists = (profile_names, angle_names, tapered_names, hollow_names)
     names = next((found for of in lists if (found := of().chosen(asked))), [])
@@ -125,7 +131,7 @@ def efficient(
     """
     found: list[SteelSection] = []
     for section in sorted(sections, key=lambda of: (cost(of), of.name)):
-        keys = _AS_GOOD_IN_SHEAR if section.kind == "I" else ("I_y", "I_z") if section.axial_alone else _AS_GOOD
+        keys = _PROPERTIES.get(section.kind, _AS_GOOD)
         if not any(all(getattr(other, key) >= getattr(section, key) for key in keys) for other in found):
             found.append(section)
     return found

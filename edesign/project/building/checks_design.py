@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from edesign.project.actions.hazard import NtcHazard
 from edesign.project.building.building import Building
-from edesign.project.building.design import KINDS, Design, Select
+from edesign.project.building.design import KINDS, RESTRAINED, Design, Select, System
 from edesign.project.building.members import CHEVRONS
 from edesign.project.checks.hazard import check_hazard
 from edesign.project.checks.selections import GridSelections
@@ -84,6 +84,7 @@ def check_design(building: Building, problems: Problems, files: bool = True) -> 
                 f"{along} is `{system.type}` [E-BLDG-01]"
             )
             problems.at_key(("design", "systems", along, "alpha_u_over_alpha_1"), message)
+        _restrained(building, along, design, problems)
         if system.type == "concentric_v" and not chevrons:
             message = (
                 f"no brace along {along} is a `chevron` or `v`; the type of others is `concentric_diagonal` [E-BLDG-01]"
@@ -97,6 +98,36 @@ def check_design(building: Building, problems: Problems, files: bool = True) -> 
             if group not in named:
                 problems.at_item((*keys, "groups"), k, unknown_name("group", group, named))
     _select(building, design.select, problems)
+
+
+def _restrained(building: Building, along: str, design: Design, problems: Problems) -> None:
+    """Buckling-restrained braces stand where they are the system, which needs q with its source and capacity design."""
+    system: System = getattr(design.systems, along)
+    keys: Keys = ("design", "systems", along)
+    there = {run.law is not None for place, run in building.layout.brace_at.items() if place.along == along}
+    if system.type != RESTRAINED:
+        if True in there:
+            message = f"there are buckling-restrained braces along {along}, whose type is `{RESTRAINED}` [E-BLDG-01]"
+            problems.at_value((*keys, "type"), message)
+        if system.q_source is not None:
+            message = f"q of `{system.type}` is of the seismic code; a source is for `{RESTRAINED}` alone [E-KEY-03]"
+            problems.at_key((*keys, "q_source"), message)
+        return
+    if False in there:
+        message = f"along {along} are other braces than buckling-restrained ones, `section: BRB25` [E-BLDG-01]"
+        problems.at_value((*keys, "type"), message)
+    if system.q == "table":
+        message = "EN 1998-1 has no behaviour factor of buckling-restrained braces: give a number, and its `q_source`"
+        problems.under(keys, "q", f"{message} [E-KEY-02]")
+    elif system.q_source is None:
+        message = "this key is missing: whose value `q` is, such as an approval; EN 1998-1 has none [E-KEY-02]"
+        problems.under(keys, "q_source", message)
+    if design.ductility_class == "low":
+        message = f"`{RESTRAINED}` along {along} needs capacity design, which class low has not [E-BLDG-01]"
+        problems.at_value(("design", "ductility_class"), message)
+    if design.code.seismic != "ec8-2004":
+        message = f"`{RESTRAINED}` is not in the rules of `{design.code.seismic}` here; take `ec8-2004` [E-BLDG-01]"
+        problems.at_value((*keys, "type"), message)
 
 
 def _groups(building: Building) -> dict[str, None]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterable
 
@@ -91,6 +92,7 @@ def _selections(building: Building, problems: Problems, check: Selections) -> bo
             )
             problems.at_value((*keys, "compression"), message)
         _link(keys, brace, problems)
+        _restrained_brace(building, problems, keys, brace)
     for i, gap in enumerate(building.missing.columns):
         check.column_places(("missing", "columns", i), gap)
     for i, hole in enumerate(building.missing.beams):
@@ -110,6 +112,28 @@ def _link(keys: Keys, brace: BraceRun, problems: Problems) -> None:
         problems.at_value((*keys, "kind"), message)
     if brace.compression is False:
         message = "braces beside a seismic link count in tension and compression (EN 1998-1, 6.8.3(1)) [E-BLDG-01]"
+        problems.at_value((*keys, "compression"), message)
+
+
+def _restrained_brace(building: Building, problems: Problems, keys: Keys, brace: BraceRun) -> None:
+    """A buckling-restrained brace has the law of its manufacturer, counts both ways, and crosses no other one."""
+    restrained = brace.section not in building.sections and re.fullmatch(r"(?i)BRB ?[0-9.]+", brace.section)
+    laws = building.dampers.laws if building.dampers is not None else {}
+    if not restrained:
+        if brace.law is not None:
+            message = f"`{brace.section}` is no buckling-restrained brace, as `BRB25` is, and has no law [E-DEVICE-04]"
+            problems.at_key((*keys, "law"), message)
+        return
+    if brace.law is None:
+        message = "this key is missing: one of `dampers.laws`, with omega, beta and KF of the manufacturer [E-KEY-02]"
+        problems.under(keys, "law", message)
+    elif brace.law not in laws:
+        problems.at_value((*keys, "law"), unknown_name("damper law", brace.law, laws))
+    if brace.kind == "cross":
+        message = "buckling-restrained braces cannot cross; take chevrons, or diagonals in two bays [E-DEVICE-04]"
+        problems.at_value((*keys, "kind"), message)
+    if brace.compression is False:
+        message = "buckling-restrained braces count in compression too; leave this key out [E-KEY-03]"
         problems.at_value((*keys, "compression"), message)
 
 
@@ -305,7 +329,10 @@ def _groups(building: Building, problems: Problems) -> None:
     first: dict[str | None, tuple[Keys, Run]] = {}
     for keys, run in _runs(building):
         other_keys, other = first.setdefault(run.group, (keys, run))
-        if (other_keys[0], other.section, other.material) != (keys[0], run.section, run.material):
+        if getattr(other, "law", None) != getattr(run, "law", None):
+            message = f"the braces of group `{run.group}` have one law, as they are designed as one [E-BLDG-03]"
+            problems.at_value((*keys, "group"), message)
+        elif (other_keys[0], other.section, other.material) != (keys[0], run.section, run.material):
             message = (
                 f"the group `{run.group}` has {run.section} of {run.material} here, and {other.section} of "
                 f"{other.material} in {other_keys[0]}[{other_keys[1]}]; a group is of one kind, section and material"

@@ -23,8 +23,9 @@ from edesign.project.notation.units import (
 from edesign.project.notation.written import Written, as_kept, either, given, one_or_list, ratio, text, words_or
 from edesign.project.reading.base import Model, refuse
 
-SystemType = Literal["moment_frame", "concentric_diagonal", "concentric_v", "eccentric"]
-"""Structural types of EN 1998-1, 6.3.1 and Table 6.2."""
+RESTRAINED = "buckling_restrained"
+SystemType = Literal["moment_frame", "concentric_diagonal", "concentric_v", "eccentric", "buckling_restrained"]
+"""Structural types of EN 1998-1, 6.3.1 and Table 6.2, and buckling-restrained braces, which it does not have."""
 LeftOut = Literal[
     "4.2.3.2(6)",
     "4.4.2.2(3)",
@@ -124,14 +125,16 @@ class System(Model):
     """The structural type in one direction, and its behaviour factor.
 
     Attributes:
-        type: structural type (EN 1998-1, 6.3.1).
+        type: structural type (EN 1998-1, 6.3.1), or `buckling_restrained`, of which the code has no behaviour factor.
         q: behaviour factor; `table` takes the upper limit of EN 1998-1, Table 6.2, for the ductility class.
+        q_source: of `buckling_restrained`: where its `q` is from, such as an approval or tests; reports print it.
         alpha_u_over_alpha_1: alpha_u over alpha_1 of moment frames and eccentric bracings in Table 6.2; without the
             key the default of 6.3.2(3).
     """
 
     type: SystemType
     q: Annotated[Literal["table"] | float, Written(_q, words_or(ratio(1.0, math.inf), "table"))] = "table"
+    q_source: Annotated[str, Field(min_length=1)] | None = None
     alpha_u_over_alpha_1: Annotated[float, Field(ge=1.0, le=1.6)] | None = None
 
 

@@ -155,8 +155,11 @@ class BraceRun(Model):
         storeys: storeys, counted from 1.
         kind: how the braces stand, seen with the axis of the frame to the right.
         link: length e of the seismic link in the beam that they meet (EN 1998-1, 6.8); without the key none.
-        section: name of a profile of the catalogue, or of a hollow section.
+        section: name of a profile of the catalogue, or of a hollow section; `BRB25` is a buckling-restrained brace with
+            a steel core of 25 cm2.
         material: one of `materials`.
+        law: of buckling-restrained braces, one of `dampers.laws` of the type `buckling_restrained`: the values of their
+            manufacturer.
         compression: whether braces count in compression; without the key by their kind (EN 1998-1, 6.7.2(2)P).
         group: braces of one group are designed as one; without the key the run is a group of its own.
     """
@@ -169,6 +172,7 @@ class BraceRun(Model):
     link: PositiveLength | None = None
     section: str
     material: str
+    law: str | None = None
     compression: bool | None = None
     group: ShortName | None = None
 
@@ -177,9 +181,10 @@ class BraceRun(Model):
         """Whether the analysis counts these braces in compression.
 
         Source: EN 1998-1:2004, 6.7.2(2)P: of diagonals the tension ones alone, of V bracings both; 6.8: braces beside
-            links as well.
+            links as well; buckling-restrained braces both ways.
         """
-        return self.kind in CHEVRONS or self.link is not None if self.compression is None else self.compression
+        both = self.kind in CHEVRONS or self.link is not None or self.law is not None
+        return both if self.compression is None else self.compression
 
 
 class Missing(Model):

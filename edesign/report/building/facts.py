@@ -19,6 +19,7 @@ _SYSTEMS = {
     "concentric_diagonal": "concentric bracing with diagonals",
     "concentric_v": "concentric V bracing",
     "eccentric": "eccentric bracing with seismic links",
+    "buckling_restrained": "buckling-restrained braces",
 }
 
 
@@ -60,6 +61,7 @@ def design_rows(building: Building, results: BuildingResults) -> Rows:
         system = system_of(design, axis)
         table = "Table 7.3.II of NTC 2018" if rules.clauses else "Table 6.2 of EN 1998-1"
         by = f", by {table}" if system.q == "table" else ", as given"
+        by += f" ({system.q_source})" if system.q_source is not None else ""
         rows.append((f"System along {axis}", f"{_SYSTEMS[system.type]}, q = {results.number(f'q_{axis}'):.4g}{by}"))
     rows.append(("Regularity", _regularity(design, results)))
     rigid = building.diaphragms.numbers(1, building.n_storeys)

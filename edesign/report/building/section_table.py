@@ -102,7 +102,13 @@ ANGLES = TableSpec[SteelSection](
     ),
     named_by_title=True,
 )
-_TABLES = {"I": SECTIONS, "RHS": HOLLOW, "CHS": HOLLOW, "L": ANGLES}
+CORES = TableSpec[SteelSection](
+    "restrained_cores",
+    "Cores of buckling-restrained braces (A in cm2, mass of the core in kg/m)",
+    (text("section", "name"), _property("A", CM2), _property("mass", Unit("kg/m"), digits=3)),
+    named_by_title=True,
+)
+_TABLES = {"I": SECTIONS, "RHS": HOLLOW, "CHS": HOLLOW, "L": ANGLES, "BRB": CORES}
 
 
 def chosen_sections(what: str | None) -> list[SteelSection]:

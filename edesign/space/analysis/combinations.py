@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from edesign.codes.ec8.national import NationalParameters
@@ -50,6 +50,7 @@ def building_combinations(
     cases: Mapping[str, LoadCase],
     bracing: Bracing,
     with_vertical: bool,
+    restrained: Sequence[int] = (),
 ) -> BuildingCombinations:
     """Return the combinations of a building.
 
@@ -57,6 +58,7 @@ def building_combinations(
         design: its block `design`, with what it leaves to the country.
         cases: load cases by name, permanent ones joined.
         with_vertical: whether the vertical component concerns some members.
+        restrained: numbers of buckling-restrained braces.
 
     Raises:
         InputError: psi factors of a category are not known.
@@ -75,6 +77,6 @@ def building_combinations(
         fundamental=persistent + stated_combinations(design, cases),
         seismic=in_earthquakes,
         characteristic=characteristic(categories, psi, False, *partly),
-        yielded=yielded_combinations(in_earthquakes[0], bracing, design),
+        yielded=yielded_combinations(in_earthquakes[0], bracing, design, restrained),
         vertical=vertical_combinations(with_E_z),
     )

@@ -43,6 +43,8 @@ class Overstrength:
         ratios: resistance over effect of each.
         Omega: the least of them.
         governing: name of the member that has it; "" if there is none.
+        hardening: what members yet gain beyond Omega as they yield: the largest beta omega R_y of buckling-restrained
+            braces; None: 1.1 gamma_ov.
     """
 
     axis: Axis
@@ -50,6 +52,7 @@ class Overstrength:
     ratios: np.ndarray
     Omega: float
     governing: str
+    hardening: float | None = None
 
 
 @dataclass(frozen=True)
@@ -90,7 +93,7 @@ def dissipative_members(frame: SpaceFrame, axis: Axis, system: str) -> np.ndarra
 
     Args:
         axis: direction of the action.
-        system: `moment_frame`, `concentric_diagonal`, `concentric_v` or `eccentric`.
+        system: `moment_frame`, `concentric_diagonal`, `concentric_v`, `eccentric` or `buckling_restrained`.
 
     Returns:
         (n,) numbers.

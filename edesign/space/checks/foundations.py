@@ -154,6 +154,8 @@ def foundation_factors(
 
     In ductility class low the factor is 1.
 
+    Along buckling-restrained braces the factor is at least beta omega R_y Omega, and at most q.
+
     Where a column line of a moment frame has a hinge at its base, or above the basement, Omega is the least
     M_Rd / M_Ed there of both directions; elsewhere that of the dissipative members of the direction.
 
@@ -187,7 +189,12 @@ def foundation_factors(
     of_base = np.array([np.isfinite(own) & (axis in frames) for axis in AXES])
     of_direction = np.array([[overstrength[axis].Omega] for axis in AXES])
     Omega = np.where(of_base, own, of_direction)
-    found = [foundation_factor(values, q[axis]) for axis, values in zip(AXES, Omega, strict=True)]
+    found = []
+    for axis, values in zip(AXES, Omega, strict=True):
+        of_axis = foundation_factor(values, q[axis])
+        if (gained := overstrength[axis].hardening) is not None:
+            of_axis = np.maximum(of_axis, np.minimum(gained * np.maximum(values, 1.0), q[axis]))
+        found.append(of_axis)
     return np.array(found), of_base
 
 

@@ -1,7 +1,8 @@
 """Checks of all members under all combinations, EN 1993-1-1 and EN 1998-1: constants in Python, the pass in the core.
 
 Sets of combinations: persistent (6.10), seismic, and capacity, in which the seismic effects are those of members that
-yield: 1.1 gamma_ov Omega (EN 1998-1, 6.6.3(1)P and 6.7.4(1)). Members that dissipate energy are checked in the seismic
+yield: 1.1 gamma_ov Omega (EN 1998-1, 6.6.3(1)P and 6.7.4(1)). Where buckling-restrained braces yield it also has
+their adjusted strengths in place of the effects along them. Members that dissipate energy are checked in the seismic
 set, all others in the capacity set; in ductility class low all in the seismic set. Beams that chevrons or V braces meet
 have a set of their own, in which a brace has buckled (6.7.4(2)), and members that the vertical component concerns one
 with it (4.3.3.5.2).
@@ -13,6 +14,7 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
+from itertools import product
 
 import numpy as np
 
@@ -43,6 +45,7 @@ from edesign.space.analysis.buckled_diagonals import CASES as BUCKLING
 from edesign.space.analysis.buckled_diagonals import buckling_combinations
 from edesign.space.analysis.effects import Effects, largest
 from edesign.space.analysis.response import STATIONS
+from edesign.space.analysis.yielded_braces import restrained_case
 from edesign.space.checks.buckling_moments import FreeBeamMoments, FreeBeams
 from edesign.space.checks.capacity import Overstrength, bends_about_y
 from edesign.space.checks.steel_member import SteelMember
@@ -157,6 +160,7 @@ class MemberChecker:
         )
         if BUCKLING[0] in effects.cases:
             raised = (*raised, *buckling_combinations(raised))
+        raised = (*raised, *restrained_combinations(seismic, raised, effects.cases))
         sets = fundamental, seismic, raised, yielded, vertical, raised_vertical
         rows = [row for of_set in sets for row in of_set]
         counts = tuple(map(len, sets))
@@ -348,6 +352,8 @@ def amplified_combinations(
 ) -> tuple[Combination, ...]:
     """Return the seismic combinations with 1.1 gamma_ov Omega on the seismic effects; none in ductility class low.
 
+    Along buckling-restrained braces it is beta omega R_y Omega.
+
     An Omega below 1, of a dissipative member that fails its own check, counts as 1. More than the effects of the
     elastic spectrum, q times those of the design spectrum, cannot come: the factor is at most q. By NTC 2018, 7.2.2, it
     is at most that of a building that does not dissipate energy, q / q_ND.
@@ -362,7 +368,8 @@ def amplified_combinations(
     if design.ductility_class == "low":
         return ()
     factor = {
-        axis: min(OVERSTRENGTH * design.overstrength * max(overstrength[axis].Omega, 1.0), q[axis]) for axis in AXES
+        axis: min((of.hardening or OVERSTRENGTH * design.overstrength) * max(of.Omega, 1.0), q[axis])
+        for axis, of in overstrength.items()
     }
     found = []
     for row in seismic:
@@ -370,6 +377,43 @@ def amplified_combinations(
         name = _SEISMIC_TERM.sub(lambda term: f"{float(term[1] or 1.0) * factor[term[2]]:.3g} E_{term[2]}", row.name)  # type: ignore[index]
         found.append(replace(row, name=name, seismic=(x * factor["x"], y * factor["y"], z)))
     return tuple(found)
+
+
+def restrained_combinations(
+    seismic: Sequence[Combination], raised: Sequence[Combination], cases: Sequence[str]
+) -> tuple[Combination, ...]:
+    """Return the combinations in which all buckling-restrained braces of a direction have their adjusted strengths.
+
+    They stand in place of the effects of the direction whose action counts in full; across it the amplified effects
+    stay. Where there are such braces in both directions, all of them yield at once, as columns may be common to both
+    (D1.4a).
+
+    Args:
+        seismic: combinations for the seismic design situation.
+        raised: the same with amplified effects, in the same order, and maybe others behind them.
+        cases: names of the static cases.
+
+    Source: AISC 341-16, F4.3 and D1.4a; EN 1998-1:2004, 4.3.3.5.1(3), for what acts across.
+    """
+    axes = [axis for axis in AXES if restrained_case(axis, 0) in cases]
+    found: dict[tuple[object, ...], Combination] = {}
+    for plain, row in zip(seismic, raised, strict=False):
+        full = [axis for axis in axes if abs(plain.seismic[AXES.index(axis)]) == 1.0]
+        if not full or min(row.seismic[:2]) <= 0.0:  # one sense of both is enough: spectral effects have no sign
+            continue
+        gone = axes if len(axes) == 2 else full
+        x, y = (0.0 if axis in gone else row.seismic[k] for k, axis in enumerate(AXES))
+        name = row.name
+        for axis in gone:
+            name = re.sub(rf" \+ (?:[0-9.]+ )?E_{axis}\b", "", name)
+        for senses in product(range(2), repeat=len(gone)):
+            added = [restrained_case(axis, sense) for axis, sense in zip(gone, senses, strict=True)]
+            static = {**row.static, **dict.fromkeys(added, 1.0)}
+            key = (x, y, *sorted(static.items()))
+            found.setdefault(
+                key, replace(row, name=" + ".join([name, *added]), static=static, seismic=(x, y, row.seismic[2]))
+            )
+    return tuple(found.values())
 
 
 def _masks(
@@ -388,6 +432,8 @@ def _masks(
         dissipates = number in dissipative
         if not member.compression:
             of_kind = mask(Check.N)  # in tension; the diagonal of the pair in compression is not there
+        if frame.section(member.section).kind == "BRB":
+            of_kind = mask(Check.N)  # its casing keeps it from buckling
         masks[number, PERSISTENT] = of_kind
         beside_link = member.eccentric and member.kind == "beam" and design.members.beams_beside_links == "seismic"
         masks[number, SEISMIC if dissipates or beside_link or not capacity else CAPACITY] = of_kind

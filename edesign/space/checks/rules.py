@@ -23,7 +23,7 @@ from edesign.core.space_modes import SpaceModes
 from edesign.frame.sections.section_class import SectionClass, section_class
 from edesign.frame.sections.steel_section import SteelSection
 from edesign.project.building.building import Building, Steel
-from edesign.project.building.design import Design, System
+from edesign.project.building.design import RESTRAINED, Design, System
 from edesign.space.analysis.storeys import Storeys
 from edesign.space.checks.capacity import Joint, Overstrength, by_section
 from edesign.space.structure.design_block import ECCENTRIC, MOMENT_FRAME, Regular, design_of, rules_of, system_of
@@ -37,13 +37,15 @@ def largest_q(building: Building, system: System, axis: Axis, low_ductility_q: f
 
     Args:
         building: with its block `design`.
-        system: of this direction.
+        system: of this direction; q of buckling-restrained braces is what the file gives.
         low_ductility_q: of the country.
         regular: whether the building is.
 
     Source: EN 1998-1:2004, 6.3.2, Table 6.2; NTC 2018, 7.3.1, Table 7.3.II.
     """
     design = design_of(building)
+    if system.type == RESTRAINED:
+        return float(system.q)  # no code has one; the file gives it with its source
     default = alpha_ratio(system.type, building.n_storeys, building.n_bays(axis), regular.plan)
     return rules_of(design).largest_q(
         system.type,
@@ -86,9 +88,14 @@ def behaviour_criteria(
 
     Source: EN 1998-1:2004, 6.3.2(1), 6.5.3(2).
     """
-    found = [at_most("6.3.2(1)", f"behaviour factor q, direction {axis}", limit[axis], q[axis])]
     design = design_of(building)
-    bent = system_of(design, axis).type in (MOMENT_FRAME, ECCENTRIC)
+    system = system_of(design, axis)
+    if system.type == RESTRAINED:
+        text = f"behaviour factor q of buckling-restrained braces, direction {axis}, which the code does not have"
+        regularly = "" if regular.elevation else "; the building is irregular in elevation: 0.8 of it (4.2.3.1(7))"
+        return [RuleCheck("6.3.2(1)", text, None, q[axis], "", None, f"as given, of {system.q_source}{regularly}")]
+    found = [at_most("6.3.2(1)", f"behaviour factor q, direction {axis}", limit[axis], q[axis])]
+    bent = system.type in (MOMENT_FRAME, ECCENTRIC)
     pairs, of_members = frame.sections
     worst, where = 0, ""
     for name, material in sorted(pairs[k] for k in np.unique(of_members[dissipative])):

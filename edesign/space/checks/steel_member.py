@@ -25,6 +25,9 @@ class SteelMember(Member):
         if s.kind == "other":
             return UNCHECKED
         strength = Strength(self)
+        if s.kind == "BRB":  # its casing keeps it from buckling
+            N_Rd = strength.N_pl_Rd()
+            return replace(UNCHECKED, N_Rd=N_Rd, N_b_y_Rd=N_Rd, N_b_z_Rd=N_Rd)
         y, z = strength.flexural("y"), strength.flexural("z")
         if s.kind == "L":
             return replace(UNCHECKED, N_Rd=strength.N_pl_Rd(), N_b_y_Rd=y.N_b_Rd, N_b_z_Rd=z.N_b_Rd)

@@ -15,6 +15,7 @@ from edesign.codes.ec8.second_order import AMPLIFIED
 from edesign.codes.ec8.strong_column import LEAST_RATIO
 from edesign.codes.rule_check import RuleCheck
 from edesign.project.building.building import Building
+from edesign.project.building.design import RESTRAINED
 from edesign.space.analysis.deflections import LIMITED
 from edesign.space.analysis.lateral import SWAY_LIMITED
 from edesign.space.analysis.sway import STABLE
@@ -31,6 +32,7 @@ THETA, DRIFT, JOINTS, HOMOGENEOUS, SYMMETRIC = "4.4.2.2(3)", "4.4.3.2(1)", "4.4.
 SLENDER = ("6.7.3(1)", "6.7.3(2)", "6.7.3(3)")
 CLASS, COLUMN_BASES, PANELS, TORSION = "6.5.3(2)", "6.6.3(4)", "6.6.3(6)", "4.2.3.2(6)"
 LINKS = ("6.8.2(4)", "6.8.2(6)", "6.8.2(7)", "6.8.2(10)")
+STRAINED = "AISC 341-16, F4.2"
 GRADUAL, NTC_ALONE = "4.2.3.3(3)", ("NTC 2018, 7.5.3.2", "NTC 2018, 7.5.5")
 
 FINITE = 1e6
@@ -230,7 +232,8 @@ def searched_clauses(analysis: ElasticAnalysis) -> frozenset[str]:
     The symmetry of diagonals is one of them where those of a storey are of several groups; all others (q, modes) are
     those of the file whatever its sections.
     """
-    found = {CLASS, COLUMN_BASES, PANELS, TORSION, THETA, DRIFT, JOINTS, HOMOGENEOUS, STABLE, *SLENDER, *LINKS}
+    found = {CLASS, COLUMN_BASES, PANELS, TORSION, THETA, DRIFT, JOINTS, HOMOGENEOUS, STABLE, STRAINED}
+    found |= {*SLENDER, *LINKS}
     if rules_of(design_of(analysis.building)).changes is not None:
         found |= {GRADUAL, *NTC_ALONE}
     limits = design_of(analysis.building).serviceability
@@ -238,11 +241,12 @@ def searched_clauses(analysis: ElasticAnalysis) -> frozenset[str]:
         found.add(LIMITED)
     if limits.sway.storey is not None or limits.sway.building is not None:
         found.add(SWAY_LIMITED)
+    restrained = {run.group for run in analysis.building.braces if run.law is not None}
     of_storeys: dict[tuple[str, int], set[str]] = {}
     for axis in AXES:
         for number in analysis.dissipative[axis]:
             member = analysis.frame.members[number]
-            if member.kind == "brace":
+            if member.kind == "brace" and member.group not in restrained:
                 of_storeys.setdefault((axis, member.storey), set()).add(member.group)
     if any(len(groups) > 1 for groups in of_storeys.values()):
         found.add(SYMMETRIC)
@@ -285,7 +289,7 @@ def utilisations(design: ElasticDesign, clauses: frozenset[str]) -> Mapping[str,
             found[f"{LINKS[2]} {axis}"] = Omega.ratios / Omega.Omega / (1.0 + HOMOGENEITY)
             found[f"{LINKS[3]} {axis}"] = np.array([link.theta_p / link.theta_pR for link in linked])
             continue
-        if system_of(block, axis).type == MOMENT_FRAME or not Omega.members.size:
+        if system_of(block, axis).type in (MOMENT_FRAME, RESTRAINED) or not Omega.members.size:
             continue
         many = design.frame.n_floors > FEW_STOREYS
         if many:
@@ -293,7 +297,7 @@ def utilisations(design: ElasticDesign, clauses: frozenset[str]) -> Mapping[str,
             found[f"{SLENDER[1]} {axis}"] = steep / SLENDERNESS["diagonal"][1]
         if many or rules_of(block).clauses:
             found[f"{HOMOGENEOUS} {axis}"] = Omega.ratios / Omega.Omega / (1.0 + HOMOGENEITY)
-    for clause in (CLASS, COLUMN_BASES, SYMMETRIC, TORSION, GRADUAL, *NTC_ALONE):
+    for clause in (CLASS, COLUMN_BASES, SYMMETRIC, STRAINED, TORSION, GRADUAL, *NTC_ALONE):
         rules = [rule for rule in design.criteria if rule.clause == clause and rule.passed is not None]
         found[clause] = np.array([rule.utilisation for rule in rules])
     counted = {"members", *clauses}

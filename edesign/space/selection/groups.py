@@ -75,9 +75,10 @@ def _group(analysis: ElasticAnalysis, name: str) -> Group:
     highest = _allowed_class(analysis, numbers)
     price, slender = _prices(analysis), _slender(analysis, name, numbers)
     chosen, left_out = set[str](), list[str]()
+    restrained = frame.section(member.section).kind == "BRB"
     for place, text in enumerate(asked):
         try:
-            whole = [of for of in sections_of(text) if of.h <= depth]
+            whole = [of for of in sections_of(text) if of.h <= depth and (of.kind == "BRB") == restrained]
         except InputError as error:
             where = building.where("design", "select", *keys, place)
             raise InputError(f"{where}: {keys_text(('design', 'select', *keys))}: {error}") from error
@@ -89,6 +90,7 @@ def _group(analysis: ElasticAnalysis, name: str) -> Group:
     if not chosen:
         why = f"; of a class above {highest}, too thick, or of a wrong slenderness are {listed(left_out)}"
         why = why if left_out else ""
+        why += "; its braces are buckling-restrained: list areas of cores, such as `BRB20`" if restrained else ""
         why += f"; largest_depth is {1e3 * depth:g} mm" if depth < math.inf else ""
         where = building.where("design", "select", *keys)
         raise InputError(
@@ -166,6 +168,8 @@ def _slender(analysis: ElasticAnalysis, group: str, members: Sequence[int]) -> C
         walls = None
 
     def fits(section: SteelSection) -> bool:
+        if section.kind == "BRB":
+            return True
         wall = None if walls is None else wall_ratio(section, walls)
         if wall is not None and wall[1] > wall[2]:
             return False

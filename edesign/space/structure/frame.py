@@ -42,7 +42,8 @@ class Member:
         group: members of one group have one section.
         web: direction of local z, (3,), of length 1, at right angles to the member.
         ends: rotational stiffness (about y at start, z at start, y at end, z at end), N m/rad; `RIGID`, or 0 for a pin.
-        stiffness_factor: of E I about the strong axis, of a beam with which a slab acts.
+        stiffness_factor: of E I about the strong axis, of a beam with which a slab acts; KF on E A of a
+            buckling-restrained brace, whose ends are stiffer than its core.
         axial_only: pinned about all axes at both ends, without bending.
         bracing: of a brace the kind that the file gives: `alternating`, `rising`, `falling`, `cross`, `chevron`, `v`.
         compression: whether it counts in compression; diagonals of EN 1998-1, 6.7.2(2)P do not.

@@ -21,6 +21,7 @@ from edesign.space.structure.design_cases import design_cases
 from edesign.space.structure.frame import NO_DIAPHRAGM, RIGID, Member, SpaceFrame
 from edesign.space.structure.load_cases import load_cases
 from edesign.space.structure.masses import node_masses
+from edesign.space.structure.restrained import laws_of_groups
 
 X, Y, Z = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
 
@@ -157,14 +158,17 @@ def _stiffness(end: End) -> tuple[float, float]:
 
 
 def _braces(building: Building, ends: Ends, coordinates: np.ndarray) -> list[Member]:
+    stiffer = {group: law.stiffness_factor for group, law in laws_of_groups(building).items()}
     return [
-        _brace(place, run, place.name(way), ends[place.name(way)], coordinates)
+        _brace(place, run, place.name(way), ends[place.name(way)], coordinates, stiffer.get(run.group or "", 1.0))
         for place, run in building.layout.brace_at.items()
         for way in ways(place, run)
     ]
 
 
-def _brace(place: BracePlace, run: BraceRun, name: str, nodes: tuple[int, int], coordinates: np.ndarray) -> Member:
+def _brace(
+    place: BracePlace, run: BraceRun, name: str, nodes: tuple[int, int], coordinates: np.ndarray, stiffer: float
+) -> Member:
     start, end = nodes
     axis = coordinates[end] - coordinates[start]
     axis = axis / np.linalg.norm(axis)
@@ -180,6 +184,7 @@ def _brace(place: BracePlace, run: BraceRun, name: str, nodes: tuple[int, int], 
         group=run.group or "",
         web=(float(web[0]), float(web[1]), float(web[2])),
         ends=(0.0, 0.0, 0.0, 0.0),
+        stiffness_factor=stiffer,
         axial_only=True,
         bracing=run.kind,
         compression=run.in_compression,

@@ -75,7 +75,10 @@ def member_properties(frame: SpaceFrame, materials: Mapping[str, Steel], gravity
         table.append([steel.E, G, *(getattr(section, key) for key in PROPERTIES[2:])])
     found = np.array(table)[of_members]
     found[:, PROPERTIES.index("A")] *= np.where(frame.in_compression, 1.0, TENSION_ONLY_SHARE)
-    found[:, PROPERTIES.index("I_y")] *= [member.stiffness_factor for member in frame.members]
+    stiffer = np.array([member.stiffness_factor for member in frame.members])
+    axial = np.array([member.axial_only for member in frame.members], dtype=bool)
+    found[:, PROPERTIES.index("A")] *= np.where(axial, stiffer, 1.0)
+    found[:, PROPERTIES.index("I_y")] *= np.where(axial, 1.0, stiffer)
     if gravity:
         braces = [member.kind == "brace" and not member.eccentric for member in frame.members]
         found[braces, PROPERTIES.index("A")] *= GRAVITY_SHARE

@@ -8,6 +8,7 @@ from typing import TypeVar
 from edesign.codes.ec3.materials import Standard, thickness_step, yield_stress
 from edesign.errors import InputError
 from edesign.frame.sections.own_section import section_of
+from edesign.frame.sections.restrained_core import core_name
 from edesign.project.building.building import Building, Steel
 from edesign.project.building.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.project import Project
@@ -35,7 +36,7 @@ def steel_by_thickness(building: Building, section: str, material: str) -> tuple
     """
     steel = building.materials[material]
     standard = _standard(building)
-    if standard is None:
+    if standard is None or core_name(section) is not None:  # that of a core is its manufacturer's
         return material, steel
     fy, grade, thickness = yield_by_thickness(building, section, material, steel.fy, standard)
     if fy == yield_stress(grade, 1e-3, standard):
