@@ -111,14 +111,15 @@ def _section(model: Sap2000Model, space: SpaceFrame, member: Member) -> str:
     called = of.name if used | {member.material} == {member.material} else f"{of.name} {member.material}"
     called = called if member.compression else f"{called} half"
     called = called if member.stiffness_factor == 1.0 else f"{called} x{member.stiffness_factor:g}"
+    bending, axial = (1.0, member.stiffness_factor) if member.axial_only else (member.stiffness_factor, 1.0)
     model.sections.setdefault(
         called,
         Section(
-            *(called, member.material, of.A, of.I_t, of.I_y * member.stiffness_factor, of.I_z, of.A_z, of.A_y),
+            *(called, member.material, of.A, of.I_t, of.I_y * bending, of.I_z, of.A_z, of.A_y),
             catalogue=of.name,
             depth=of.h,
             width=of.b,
-            axial_share=1.0 if member.compression else TENSION_ONLY_SHARE,
+            axial_share=axial * (1.0 if member.compression else TENSION_ONLY_SHARE),
         ),
     )
     return called

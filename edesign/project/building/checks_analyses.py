@@ -9,7 +9,7 @@ from edesign.project.analysis.pushover import WAYS, Pushovers
 from edesign.project.analysis.shaking import IN_PLACE, eccentricity_of
 from edesign.project.building.building import Building
 from edesign.project.building.checks_selections import Selections
-from edesign.project.building.members import NO_LAW_OF_LINKS, BraceRun, ColumnRun
+from edesign.project.building.members import AS_DEVICES, NO_LAW_OF_LINKS, BraceRun, ColumnRun
 from edesign.project.checks.analyses import check_shared
 from edesign.project.checks.outputs import check_kept, check_member
 from edesign.project.checks.pairs import check_pairs
@@ -30,6 +30,9 @@ def check_analyses(building: Building, problems: Problems, files: bool = True) -
     for name, steel in building.materials.items():
         for key in steel.without_meaning:
             problems.at_key(("materials", name, key), f"the law `{steel.law}` does not have this key [E-KEY-03]")
+    for i, brace in enumerate(building.braces if building.analyses else ()):
+        if brace.law is not None:
+            problems.at_value(("braces", i), f"{AS_DEVICES} [E-DEVICE-04]")
     check_shared(building, problems, files)
     pairs = {name: record for name, record in building.records.items() if isinstance(record, InSpace)}
     check_pairs(pairs, building.hazard, building.folder, problems, "building file" if files else "")

@@ -28,6 +28,10 @@ CHEVRONS = ("chevron", "v")
 NO_LAW_OF_LINKS = (
     "no element of modes, pushovers and histories yields in shear as a seismic link does; links have the elastic design"
 )
+AS_DEVICES = (
+    "analyses in space have buckling-restrained braces as `dampers.devices`, with the same law and the area of the "
+    "core over A_sc as `scale`: give them so in a file of their own"
+)
 
 
 def _ends(value: Any) -> Any:

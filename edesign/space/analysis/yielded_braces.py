@@ -110,7 +110,6 @@ def with_restrained_braces(
         model: in which braces carry nothing.
         frame: with its sections.
         bracing: of the building.
-        restrained: its buckling-restrained braces.
 
     Source: AISC 341-16, F4.3 and F4.4a.
     """

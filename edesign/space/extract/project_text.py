@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
+from edesign.codes.aisc341.buckling_restrained import RestrainedBrace
 from edesign.errors import InputError
 from edesign.frame.sections.tapered import tapered_name
 from edesign.project.building.building import Building
@@ -25,6 +26,7 @@ from edesign.space.structure.area_loads import BeamShare
 from edesign.space.structure.design_block import design_of
 from edesign.space.structure.load_cases import ALWAYS
 from edesign.space.structure.masses import gravity_factor
+from edesign.space.structure.restrained import law_of_run
 
 _WEAK = "_weak"
 _PARTS = 64
@@ -44,9 +46,15 @@ def project_text(row: FrameRow, study: StudyNames | None = None) -> str:
         study: names of the files of a study of it, which needs damping, records and a law of dampers; None: no study.
 
     Raises:
-        InputError: it has springs at its column bases, or something else that a project file cannot say.
+        InputError: it has springs at its column bases, or something else that a project file cannot say; a study is
+            asked for of a frame on buckling-restrained braces.
     """
     row.check()
+    if study is not None and any(run.law is not None for frame in row.frames for run in frame.braces.values()):
+        raise InputError(
+            f"{row.building.path.name}: {row.name} has buckling-restrained braces, which are its dampers; extract it "
+            "without a study, and give it one of `method: hysteretic`, or histories as it is [E-DEVICE-04]"
+        )
     text = "\n".join(_ProjectText(row).text)
     return text if study is None else f"{text}\n{study_blocks(row, study)}"
 
@@ -93,6 +101,7 @@ class _ProjectText:
             self.materials,
             self.loads,
             self.masses,
+            self.dampers,
             self.design,
             self.actions,
         )
@@ -179,6 +188,7 @@ class _ProjectText:
             lambda frame: {
                 (p.bay, p.storey): (_kind(p, run), run.section, run.material, run.in_compression)
                 for p, run in frame.braces.items()
+                if run.law is None
             }
         )
         text = ["  columns:"]
@@ -236,7 +246,7 @@ class _ProjectText:
         """Own sections of the building, and that of what leans on the frame; all others are known by their names."""
         used: dict[str, str] = {}
         columns = [run for frame in self.row.frames for run in frame.columns.values()]
-        others = [run.section for frame in self.row.frames for run in frame.braces.values()]
+        others = [run.section for frame in self.row.frames for run in frame.braces.values() if run.law is None]
         others += [run.section for run in self.beams.values()]
         for name in [*(self._column(run)[0] for run in columns), *others]:
             of = name.removesuffix(_WEAK) if name not in self.building.sections else name
@@ -295,7 +305,7 @@ class _ProjectText:
         used = {name: self.building.steels[name] for name in columns}
         for run in self.beams.values():
             used[_steel_name(run)] = with_stiffness(self.building.steels[run.material], run.stiffness_factor)
-        others = [run.material for frame in self.row.frames for run in frame.braces.values()]
+        others = [run.material for frame in self.row.frames for run in frame.braces.values() if run.law is None]
         used |= {name: self.building.steels[name] for name in others}
         text = ["materials:", *(f"  {yaml_text(name)}: {_law(of)}" for name, of in used.items())]
         if self.leans:
@@ -351,6 +361,35 @@ class _ProjectText:
         text = ["masses:", f"  directions: {directions}", "  given:"]
         for at, floors, mass in runs(tonnes, self.lines, self.storeys, self.row.line_name):
             text.append(f"    - {{lines: {at}, floors: {floors}, mass: {value(mass, 't')}}}")
+        return [*text, ""]
+
+    def dampers(self) -> list[str]:
+        """The buckling-restrained braces as devices; where all beams are pinned the frame stands by them."""
+        braces = self.row.merged(
+            lambda frame: {(p.bay, p.storey): (p, run) for p, run in frame.braces.items() if run.law is not None}
+        )
+        if not braces:
+            return []
+        laws: dict[str, RestrainedBrace] = {}
+        devices: dict[tuple[int, int], tuple[str, str, float]] = {}
+        for place, (brace_place, run) in braces.items():
+            kind, name = _kind(brace_place, run), str(run.law)
+            if kind == "v":
+                where = self.building.where("braces", self.building.braces.index(run), "kind")
+                raise InputError(
+                    f"{where}: {brace_place}: frames in a plane have buckling-restrained braces as chevrons or "
+                    "diagonals; `v` is none of them [E-DEVICE-04]"
+                )
+            laws[name] = law = law_of_run(self.building, run) or laws[name]
+            scale = self.row.space.section(run.section).A / law.area
+            devices[place] = ("chevron_braces" if kind == "chevron" else kind, name, float(f"{scale:.6g}"))
+        pinned = all(run.ends.start == run.ends.end == "pinned" for run in self.beams.values())
+        carries = ", carries_gravity: true" if pinned else ""
+        text = ["dampers:", "  laws:", *(f"    {yaml_text(name)}: {_restrained(law)}" for name, law in laws.items())]
+        text.append("  devices:                              # scale: area of the core over A_sc")
+        for at, storeys, (kind, name, scale) in runs(devices, self.bays, self.storeys, str):
+            place = f"kind: {kind}, bays: {at}, storeys: {storeys}"
+            text.append(f"    - {{{place}, law: {yaml_text(name)}, scale: {scale:g}{carries}}}")
         return [*text, ""]
 
     def design(self) -> list[str]:
@@ -422,6 +461,23 @@ def _lengths(lengths: tuple[float, ...] | list[float], key: str) -> str:
     if len(set(lengths)) == 1 and len(lengths) > 1:
         return f"{{count: {len(lengths)}, {key}: {value(lengths[0], 'm')}}}"
     return f"[{', '.join(value(length, 'm') for length in lengths)}]"
+
+
+def _restrained(brace: RestrainedBrace) -> str:
+    """The law of a buckling-restrained brace, as a project file has it."""
+    strain, omega, beta = (", ".join(f"{of:.6g}" for of in values) for values in zip(*brace.points, strict=True))
+    said = [
+        f"A_sc: {value(1e6 * brace.area, 'mm^2')}",
+        f"F_ysc: {value(brace.yield_stress / 1e6, 'MPa')}",
+        f"E: {value(brace.modulus / 1e9, 'GPa')}",
+        f"L_wp: {value(brace.length, 'm')}",
+        f"L_y: {value(brace.yielding_length, 'm')}",
+        f"KF: {brace.stiffness_factor:.6g}",
+        f"alpha: {brace.post_yield_ratio:.6g}",
+        f"R_y: {brace.overstrength:.6g}",
+        f"strain: [{strain}], omega: [{omega}], beta: [{beta}]",
+    ]
+    return f"{{type: buckling_restrained, parameters: {{{', '.join(said)}}}}}"
 
 
 def _law(material: Material) -> str:

@@ -15,7 +15,7 @@ from edesign.frame.isolation import add_isolation
 from edesign.frame.tuned_masses import Attached, add_attachment
 from edesign.project.building.building import Building
 from edesign.project.building.layout import DIRECTIONS as PLAN
-from edesign.project.building.members import NO_LAW_OF_LINKS
+from edesign.project.building.members import AS_DEVICES, NO_LAW_OF_LINKS
 from edesign.project.building.names import node_name
 from edesign.space.file_places import telling_member
 from edesign.space.nonlinear.bays import building_sites
@@ -70,6 +70,9 @@ def build_building(
     if linked is not None:
         place = building.where("braces", linked, "link")
         raise InputError(f"{place}: braces[{linked}].link: {NO_LAW_OF_LINKS} [E-SPACE-12]")
+    for number, run in enumerate(building.braces):
+        if run.law is not None:
+            raise InputError(f"{building.where('braces', number)}: braces[{number}]: {AS_DEVICES} [E-DEVICE-04]")
     whole = with_steel_by_thickness(building)
     with telling_member(building):
         if footings is None:

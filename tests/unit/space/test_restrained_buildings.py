@@ -10,12 +10,18 @@ from edesign.codes.aisc341.buckling_restrained import RestrainedBrace, expected_
 from edesign.core.member_checks import Check
 from edesign.core.space import PROPERTIES
 from edesign.errors import InputError
+from edesign.frame.sections.building_sections import BuildingSections
 from edesign.frame.sections.section_lists import sections_of
 from edesign.frame.sections.steel_section import steel_section
+from edesign.project import parse_project
 from edesign.space.check import check_building
 from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign
+from edesign.space.extract import StudyNames, frame_row, project_text
+from edesign.space.nonlinear.build import build_building
 from edesign.space.selection.groups import groups_of
+from edesign.space.structure.geometry import space_frame
 from edesign.space.structure.model import member_properties
+from edesign.study.analysis.structure import make_structure
 
 BRACED = """\
 edesign_building: 1
@@ -222,3 +228,27 @@ def test_refused_in_files(old: str, new: str, message: str) -> None:
 def test_refused_by_the_law(old: str, new: str, message: str) -> None:
     with pytest.raises(InputError, match=message):
         check_building(building(BRACED.replace(old, new, 1)))
+
+
+def test_analyses_in_space_are_refused() -> None:
+    with pytest.raises(InputError, match="as `dampers.devices`.*E-DEVICE-04"):
+        building(BRACED + "analyses: [{name: gravity, kind: gravity}]\n")
+    with pytest.raises(InputError, match=r"braces\[0\].*E-DEVICE-04"):
+        build_building(building(BRACED))
+
+
+def test_extracted_frames_have_them_as_dampers() -> None:
+    """Two equal frames of pinned beams: the period of one is that of the building, but for its small shear areas."""
+    made = building(BRACED)
+    row = frame_row(made, space_frame(made), "YA")
+    text = project_text(row)
+    assert "- {kind: chevron_braces, bays: all, storeys: 1, law: brb, scale: 1.2, carries_gravity: true}" in text
+    frame = parse_project(text, "frame.yaml", BuildingSections())
+    found = float(make_structure(frame, dampers=True).modes(1).period[0])
+    assert found == pytest.approx(design_of(BRACED).response["y"].T_1, rel=1e-2)
+    with pytest.raises(InputError, match="extract it without a study.*E-DEVICE-04"):
+        project_text(row, StudyNames("a.yaml", "b.yaml"))
+    inverted = BRACED.replace("storeys: 2, kind: chevron", "storeys: 2, kind: v")
+    other = building(inverted)
+    with pytest.raises(InputError, match="`v` is none of them.*E-DEVICE-04"):
+        project_text(frame_row(other, space_frame(other), "YA"))
