@@ -1,4 +1,4 @@
-"""A building file that has every key of the format, in two forms: of some keys only one of two may stand in a file."""
+"""A building file that has every key of the format, in several forms: of some keys only one may stand in a file."""
 
 from __future__ import annotations
 
@@ -196,3 +196,34 @@ restrained_floors:
 """
 )
 """The same without its design, with floors that the ground holds."""
+
+RESTRAINED = """\
+edesign_building: 1
+title: One storey on buckling-restrained braces
+plan: {x: [6 m], y: [6 m]}
+storeys: [4 m]
+supports: pinned
+columns: [{section: HEB260, material: S355, strong: x}]
+beams:
+  - {along: x, section: IPE400, material: S355, ends: pinned}
+  - {along: y, section: HEA280, material: S355, ends: pinned}
+braces:
+  - {along: x, frames: all, bays: 1, kind: rising, section: BRB12, material: core, law: brb}
+  - {along: y, frames: all, bays: 1, kind: chevron, section: BRB12, material: core, law: brb}
+materials: {S355: {fy: 355 MPa}, core: {fy: 235 MPa}}
+dampers:
+  laws:
+    brb:
+      type: buckling_restrained
+      parameters: {A_sc: 1000 mm^2, F_ysc: 235 MPa, E: 210 GPa, L_wp: 5 m, L_y: 3.5 m, KF: 1.3, alpha: 0.5 %,
+                   R_y: 1.1, strain: 3 %, omega: 1.4, beta: 1.1}
+loads: {areas: [{G: 5 kN/m^2, Q: 3 kN/m^2, category: B, spans: x}]}
+masses: {from_loads: {}}
+hazard: {code: ec8-2004, a_gR: 0.20 g, ground: B, spectrum: 1, levels: {DBE: {probability: 10 %}}}
+design:
+  ductility_class: high
+  systems:
+    x: {type: buckling_restrained, q: 5, q_source: approval}
+    y: {type: buckling_restrained, q: 5, q_source: approval}
+"""
+"""Keys of buckling-restrained braces, which are the system of their direction."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from building_examples import building, design_of, number_of
+from every_building_key import RESTRAINED
 
 from edesign.codes.aisc341.buckling_restrained import RestrainedBrace, expected_deformation
 from edesign.core.member_checks import Check
@@ -174,11 +175,7 @@ def test_rules(made: ElasticDesign) -> None:
 
 def test_braces_of_both_directions_yield_at_once() -> None:
     """Columns are common to both: four combinations of senses (D1.4a)."""
-    along_x = "{along: x, frames: all, bays: 1, kind: rising, section: BRB12, material: core, law: brb, group: low}"
-    both = BRACED.replace("braces:\n", f"braces:\n  - {along_x}\n", 1)
-    both = both.replace("section: IPE400, material: S355}", "section: IPE400, material: S355, ends: pinned}")
-    both = both.replace("x: {type: moment_frame, q: 4}", "x: {type: buckling_restrained, q: 5, q_source: approval}")
-    found = [row for row in design_of(both).members.amplified if "BRB" in row.name]
+    found = [row for row in design_of(RESTRAINED).members.amplified if "BRB" in row.name]
     assert sorted(row.name for row in found) == sorted(f"G + 0.3 Q + BRB x{x} + BRB y{y}" for x in "+-" for y in "+-")
     assert all(row.seismic[:2] == (0.0, 0.0) for row in found)
 

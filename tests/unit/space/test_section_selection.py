@@ -393,8 +393,8 @@ def test_lists_of_diagonals_hold_what_has_an_allowed_slenderness() -> None:
 def test_wrong_lists_are_reported_at_their_place() -> None:
     with pytest.raises(InputError, match="building.yaml:31:17: design.select.lists.columns: .*HEBB.*E-NAME-01"):
         select_sections(building(TEXT, ("columns: [HEB]", "columns: [HEBB]")))
-    with pytest.raises(InputError, match="design.select.lists.groups.D: `CHS` .*E-SECT-03"):
-        select_sections(building(TEXT, ("D: [SHS150x8]", "D: [CHS]")))
+    with pytest.raises(InputError, match="design.select.lists.groups.D: `RHS` .*E-SECT-03"):
+        select_sections(building(TEXT, ("D: [SHS150x8]", "D: [RHS]")))
     with pytest.raises(FileProblems, match="there is no group `DD`; did you mean `D`?"):
         building(TEXT, ("D: [SHS150x8]", "DD: [SHS150x8]"))
     with pytest.raises(FileProblems, match="largest_depth.beam: there is no group `beam`; did you mean `beams`?"):
