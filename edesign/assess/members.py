@@ -12,8 +12,10 @@ from edesign.assess.acceptance import ACCEPTANCE, FrameMember, Kind
 from edesign.assess.envelopes import peak
 from edesign.assess.spread import stored_dims
 from edesign.codes.fema356.strength import lower_bound_axial_strength
+from edesign.codes.motion_sets import SetRules
 from edesign.frame.sections.i_shape import full_i_section, i_section
 from edesign.frame.sections.own_section import section_of
+from edesign.ground_motion.hazard import rules_in_force
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.building.building import Building
 from edesign.project.notation.names import column_name, member_kind, storey_of
@@ -75,6 +77,11 @@ class VariantMembers(Generic[File]):
         if not self._study.variants[own].values:
             return self._project
         return cast("File", self._study.project_of(own))  # of the kind of the study's own
+
+    @property
+    def rules(self) -> SetRules:
+        """The rules of the code in force for motions."""
+        return rules_in_force(self._project.hazard)
 
     def __call__(self, variant: str) -> dict[str, FrameMember]:
         """Return the members of a variant by name."""

@@ -9,7 +9,9 @@ from statistics import median
 
 import numpy as np
 
+from edesign.codes.motion_sets import SetRules
 from edesign.codes.registry import Code, find_code
+from edesign.project.criteria.criteria import CODE_IN_FORCE
 
 CODES: Mapping[str, Code] = {
     "ec8": find_code("ec8-2004"),
@@ -84,7 +86,7 @@ def statistic(name: str, values: Mapping[str, float]) -> float | None:
     """Return a statistic by the name that criteria give it; None of no values.
 
     Args:
-        name: of `STATISTICS`, or a percentile such as "90%", counted as `counted_percentile` does.
+        name: of `STATISTICS`, "minimum", or a percentile such as "90%", counted as `counted_percentile` does.
         values: of each history by its name.
 
     Returns:
@@ -92,21 +94,29 @@ def statistic(name: str, values: Mapping[str, float]) -> float | None:
     """
     if name in STATISTICS or not values:
         return STATISTICS[name](statistics(values)) if values else None
+    if name == "minimum":
+        return min(values.values())
     return counted_percentile(list(values.values()), float(name.removesuffix("%")) / 100.0)
 
 
-def code_statistic(name: str, count: int) -> str:
+def code_statistic(name: str, count: int, rules: SetRules, from_below: bool = False) -> str:
     """Return the statistic that a code takes of so many motions, other names as they are.
 
-    `ec8` and `ntc2018`: the mean of seven or more, else the maximum (EN 1998-1, 4.3.3.4.3(3); NTC 2018, 7.3.5).
-    `asce7`: the mean (ASCE/SEI 7-22, 16.4), as it has no rule for fewer than eleven (16.2.2).
+    The mean of enough motions, else the most unfavourable value: EN 1998-1, 4.3.3.4.3(3), NTC 2018, 7.3.5, and
+    FEMA 356, 3.3.2.2.4, from seven on. ASCE/SEI 7 takes the mean (16.4) and has no rule for fewer than eleven (16.2.2).
 
     Args:
-        name: "ec8", "ntc2018", "asce7", or a statistic.
+        name: "code", "ec8", "ntc2018", "asce7", or a statistic.
+        count: of motions.
+        rules: of the code in force, which "code" means.
+        from_below: the value must not be less than its limit, so that the smallest one is the most unfavourable.
     """
-    if name in ("ec8", "ntc2018"):
-        return "mean" if count >= CODES[name].set_rules.number_for_mean else "maximum"
-    return "mean" if name in CODES else name
+    known = {CODE_IN_FORCE: rules, **{key: code.set_rules for key, code in CODES.items()}}
+    if name not in known:
+        return name
+    if count >= known[name].number_for_mean:
+        return "mean"
+    return "minimum" if from_below else "maximum"
 
 
 def counted_percentile(values: list[float], fraction: float) -> float:

@@ -15,8 +15,9 @@ from edesign.assess.requirement import NEGLIGIBLE, Requirement, requirement_of
 from edesign.assess.sets import HistorySet, history_sets, target_sets
 from edesign.assess.statistics import code_statistic
 from edesign.codes.fema356.objectives import OBJECTIVES
+from edesign.codes.motion_sets import SetRules
 from edesign.frame.masses import STILL_BEAMS
-from edesign.ground_motion.hazard import objective_level
+from edesign.ground_motion.hazard import objective_level, rules_in_force
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.criteria.criteria import Criterion, Objectives, PerformanceCriterion
 from edesign.project.reading.problems import listed
@@ -49,6 +50,7 @@ class Verdict:
         motions: of these histories, if several are of one motion.
         applies: False: it means nothing of this variant, or the study runs no history of it at this level.
         from_below: the value must not be less than the limit.
+        of_target: it is of states at target displacements, and not of histories.
     """
 
     name: str
@@ -73,6 +75,7 @@ class Verdict:
     governing_axis: str = ""
     applies: bool = True
     from_below: bool = False
+    of_target: bool = False
 
     @property
     def answer(self) -> Answer:
@@ -133,7 +136,7 @@ def judge(
     failed, or planned), and for those that it names and that have none. Of the latter, what the study does not run does
     not apply, and what it should have run is open; so is a quantity that a variant has not, such as the force of
     dampers of a bare frame. Objectives are judged for all
-    variants at their hazard level by the mean, by drift and by members apart.
+    variants at their hazard level by the statistic of the code in force, by drift and by members apart.
 
     Histories of one motion at several angles, and with masses at several places of a building, count as the worst of
     them, before the statistic is taken.
@@ -152,13 +155,13 @@ def judge(
     """
     sets = (*history_sets(histories), *target_sets(histories))
     members = VariantMembers(project, study)
-    under_gravity = with_gravity(members, histories)
+    under_gravity, rules = with_gravity(members, histories), rules_in_force(project.hazard)
     verdicts = []
     for criterion in criteria:
         for found in _chosen(sets, criterion.variants, criterion.levels, study):
             of_variant = under_gravity(found.variant) if criterion.traits.by_members else {}
             asked = requirement_of(criterion, of_variant, members.project(found.variant))
-            verdicts.append(_verdict(asked, found, study))
+            verdicts.append(_verdict(asked, found, study, rules))
     for letter in objectives:
         objective = OBJECTIVES[letter]
         level = objective_level(letter, project.hazard)
@@ -168,7 +171,7 @@ def judge(
             for found in _chosen(sets, (), (level or "no such level",), study):
                 of_variant = members(found.variant)
                 asked = requirement_of(asks, of_variant, members.project(found.variant))
-                verdicts.append(_verdict(asked, found, study))
+                verdicts.append(_verdict(asked, found, study, rules))
     return tuple(verdicts)
 
 
@@ -196,7 +199,9 @@ def _chosen(
     return found or [HistorySet(", ".join(variants), ", ".join(levels))]
 
 
-def _verdict(asked: Requirement, found: HistorySet, study: Study | None) -> Verdict:
+def _verdict(asked: Requirement, found: HistorySet, study: Study | None, rules: SetRules) -> Verdict:
+    of_code = code_statistic(asked.statistic, found.motions, rules, from_below=asked.most is None)
+    asked = replace(asked, statistic=of_code)
     why = _why_not(asked, found, study)
     if why:
         return _unanswered(asked, found, why, applies=False)
@@ -219,7 +224,7 @@ def _verdict(asked: Requirement, found: HistorySet, study: Study | None) -> Verd
         statistic = "share"
         value, met = share_met(asked.share, worst, found.not_run, asked.most, asked.least)
     else:
-        statistic = code_statistic(asked.statistic, found.motions)
+        statistic = asked.statistic
         ended = {name: value for name, value in values.items() if name not in found.not_run}
         value = statistic_of(statistic, found.worst_of_motions(ended, bad < 0.0), bad)
         if value is not None and not math.isfinite(value):
@@ -265,6 +270,7 @@ def _unanswered(asked: Requirement, found: HistorySet, remark: str, applies: boo
     nothing = (asked.statistic, None, limit, unit, None, remark, "", None, "", 0, missing)
     empty = Verdict(asked.name, asked.words, found.label, found.level, *nothing, applies=applies, from_below=below)
     motions = len(set(found.motion_of.values()))
+    empty = replace(empty, of_target=found.method is not None)
     return replace(empty, motions=motions) if applies and motions < len(found.histories) else empty
 
 

@@ -34,8 +34,12 @@ class Objective:
     rank: Rank
 
 
+BASIC = "hl"
+"""Letters of the objectives that together are the basic safety objective."""
+
+
 def _rank(letter: str) -> Rank:
-    if letter in "hl":
+    if letter in BASIC:
         return "basic"
     return "enhanced" if letter in "adgjk" else "reduced"
 

@@ -71,7 +71,9 @@ def _quantity(value: Any) -> Any:
     raise refuse(unknown_name("quantity", str(value), QUANTITIES, known))
 
 
-PLAIN_STATISTICS = ("mean", "maximum", "median", "ec8", "ntc2018", "asce7")
+CODE_IN_FORCE = "code"
+"""The statistic that the code of the hazard takes of so many motions."""
+PLAIN_STATISTICS = (CODE_IN_FORCE, "mean", "maximum", "median", "ec8", "ntc2018", "asce7")
 """Statistics that need no number; the last three are what these codes take of so many motions."""
 _PERCENTILE = re.compile(r"(?:percentile )?([0-9]+(?:\.[0-9]+)?) ?%")
 
@@ -132,8 +134,8 @@ class _Criterion(Model):
         source: clause of a code, or an agreement, that the limit comes from; the report prints it beside the check.
         variants: variants that are judged, each on its own, or `all`.
         levels: hazard levels that are judged, each on its own, or `all`.
-        statistic: statistic over the histories; `ec8`, `ntc2018` and `asce7` take the mean or maximum by the number
-            of motions.
+        statistic: statistic over the histories; `code` is that of the code of the `hazard`: the mean of enough motions
+            (seven in EN 1998-1), else the most unfavourable value. `ec8`, `ntc2018` and `asce7` name the code.
         share: share of the histories that have to meet the limit, in place of a statistic.
         storeys: storeys that count.
     """
@@ -144,7 +146,7 @@ class _Criterion(Model):
     levels: Names = ()
     statistic: Annotated[
         str, Written(_statistic, words_or(text("percentile", _PERCENTILE.pattern, "84 %"), *PLAIN_STATISTICS))
-    ] = "mean"
+    ] = CODE_IN_FORCE
     share: PositiveRatio | None = None
     storeys: Numbers = ALL_NUMBERS
 

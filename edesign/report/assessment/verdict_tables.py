@@ -16,14 +16,16 @@ from edesign.assess.performance import SetPerformance, Usage, set_performance
 from edesign.assess.requirement import NEGLIGIBLE as NO_VALUE
 from edesign.assess.requirement import UNITS
 from edesign.assess.sets import HistorySet
+from edesign.assess.statistics import code_statistic
 from edesign.assess.verdicts import Verdict
 from edesign.codes.fema356.drift import NEGLIGIBLE, PERFORMANCE_LEVELS
-from edesign.codes.fema356.objectives import OBJECTIVES, Objective
+from edesign.codes.fema356.objectives import BASIC, OBJECTIVES, Objective
+from edesign.codes.motion_sets import SetRules
 from edesign.codes.rule_check import UNREAD, with_standard
 from edesign.ground_motion.hazard import objective_level, rules_in_force
 from edesign.project.actions.hazard_base import Hazard
 from edesign.project.analysis_file import AnalysisFile
-from edesign.project.criteria.criteria import Criterion, Objectives, PerformanceCriterion
+from edesign.project.criteria.criteria import CODE_IN_FORCE, Criterion, Objectives, PerformanceCriterion
 from edesign.project.criteria.performance import PERFORMANCE_STANDARDS, Standard
 from edesign.report.assessment.measure_columns import ROUNDING
 from edesign.report.assessment.measure_tables import missing_notes
@@ -274,19 +276,34 @@ def performance_tables(
         criteria: of the study.
         groups: results by name, gravity analyses among them.
     """
-    found = [set_performance(one, members(one.variant), "mean") for one in sets]
+    judged = [(one, code_statistic(CODE_IN_FORCE, one.motions, members.rules)) for one in sets]
+    taken = " or ".join(dict.fromkeys(statistic for _, statistic in judged)) or "mean"
+    found = [set_performance(one, members(one.variant), statistic) for one, statistic in judged]
     known, loaded = any(members(one.variant) for one in sets), with_gravity(members, groups)
     asked = {criterion.standard for criterion in criteria if isinstance(criterion, PerformanceCriterion)}
     without = [] if known else ["No member has a section and a material that Table 5-6 knows."]
     return [
-        BY_DRIFT.of(found, statistic="mean", notes=missing_notes(sets)),
-        BY_MEMBERS.of(found, statistic="mean", notes=without),
+        BY_DRIFT.of(found, statistic=taken, notes=[*missing_notes(sets), *_by_number(taken, members.rules)]),
+        BY_MEMBERS.of(found, statistic=taken, notes=without),
         *(
-            spec.of((set_performance(one, loaded(one.variant), "mean", name) for one in sets), statistic="mean")
+            spec.of(
+                (set_performance(one, loaded(one.variant), statistic, name) for one, statistic in judged),
+                statistic=taken,
+            )
             for name, spec in _OTHERS.items()
             if name in asked
         ),
     ]
+
+
+def _by_number(statistic: str, rules: SetRules) -> list[str]:
+    """Say from how many motions on the mean counts, where the statistic is not the mean."""
+    if statistic == "mean":
+        return []
+    return wrapped(
+        f"Statistic: of fewer than {rules.number_for_mean} motions the maximum counts "
+        f"({with_standard(rules.clauses.use)})."
+    )
 
 
 class _Judged(NamedTuple):
@@ -326,7 +343,7 @@ def _governs(one: _Judged) -> str | None:
 
 REHABILITATION = TableSpec[_Judged](
     "rehabilitation_objectives",
-    "Rehabilitation objectives (mean D/C, demand over capacity, met up to 1)",
+    "Rehabilitation objectives (D/C, demand over capacity, met up to 1)",
     (
         text("objective", "objective.letter"),
         text("variant"),
@@ -336,6 +353,7 @@ REHABILITATION = TableSpec[_Judged](
         text("performance", _performance_level),
         text("class", "objective.rank"),
         col("D/C", ONE, _demand),
+        text("statistic", "found.statistic"),
         count("histories", lambda one: f"{one.found.count} of {_number(one.found)}"),
         text("governs", _governs),
     ),
@@ -360,11 +378,16 @@ def objectives_table(verdicts: Sequence[Verdict], objectives: Objectives, projec
     ]
     notes: list[str] = []
     for one in judged:
-        if one.found.statistic == "maximum" and TARGETS not in notes:
+        if one.found.of_target and TARGETS not in notes:
             notes.append(TARGETS)
         if said := _remark(one.found):
             notes.append(f"{one.objective.letter}, {one.variant}, {one.by}: {said}")
     notes += [LETTERS] * bool(judged)
+    absent = [letter for letter in BASIC if letter not in objectives]
+    if absent and any(one.objective.rank == "basic" for one in judged):
+        notes += wrapped(
+            f"Basic: {' and '.join(BASIC)} together are the basic safety objective; {absent[0]} is not judged here."
+        )
     return REHABILITATION.of(judged, notes=[*notes, *few_notes(verdicts, project.hazard)])
 
 
@@ -376,17 +399,22 @@ def few_notes(verdicts: Sequence[Verdict], hazard: Hazard | None) -> list[str]:
         hazard: of the project, whose code is in force.
     """
     rules = rules_in_force(hazard)
-    sets: dict[str, int] = {}
+    single: dict[str, None] = {}
+    few: dict[str, dict[str, None]] = {}
     for v in verdicts:
-        if v.statistic not in ("maximum", "share") and 0 < v.number < rules.number_for_mean:
-            sets[", ".join(part for part in (v.variant, v.level) if part) or "the structure"] = v.number
-    single = [name for name, count in sets.items() if count == 1]
-    few = [name for name, count in sets.items() if count > 1]
+        if v.of_target or not 0 < v.number < rules.number_for_mean:
+            continue
+        where = ", ".join(part for part in (v.variant, v.level) if part) or "the structure"
+        if v.number == 1:
+            single[where] = None
+        elif v.statistic not in ("maximum", "minimum", "share"):
+            few.setdefault(f"{v.name} ({v.statistic})", {})[where] = None
     lines = []
     if few:
+        rows = "; ".join(f"{name} of {' and '.join(sets)}" for name, sets in few.items())
         lines += wrapped(
-            f"Fewer than {rules.number_for_mean} histories: {'; '.join(few)}. "
-            f"{rules.fewer[0].upper()}{rules.fewer[1:]} ({with_standard(rules.clauses.use)})."
+            f"Not judged as the code does: {rows}. Of fewer than {rules.number_for_mean} motions {rules.fewer} "
+            f"({with_standard(rules.clauses.use)})."
         )
     if single:
         lines += wrapped(

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
 
 from edesign.codes.ec8.drift import drift_limit
 from edesign.codes.ntc2018.drift import limit_of_drift, limit_state_of_drift
@@ -29,7 +28,6 @@ class StudyLimits:
         source: of this limit, in words.
         reached: drift at `level`, for the thickness of the layers.
         reached_by: where this drift comes from, in words.
-        statistic: over the motions.
         objectives: letters of FEMA 356 that are judged too.
     """
 
@@ -39,7 +37,6 @@ class StudyLimits:
     source: str
     reached: float
     reached_by: str
-    statistic: Literal["mean", "ntc2018"] = "mean"
     objectives: tuple[str, ...] = ()
 
 
@@ -102,7 +99,6 @@ def _by_ntc(building: Building, hazard: NtcHazard, given: Drift, drift: float | 
         why,
         reached,
         f"{100.0 * most:g} % times S_De of {level} over {drift_level}",
-        "ntc2018",
     )
 
 

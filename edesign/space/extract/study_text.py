@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from edesign.codes.ec8.ground import ground_type
+from edesign.codes.fema356.objectives import BASIC, OBJECTIVES
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import elastic_spectrum
 from edesign.ground_motion.simulation.simulate import simulate
@@ -107,10 +109,8 @@ def study_text(row: FrameRow, names: StudyNames, drift: float | None = None) -> 
     verified = list(dict.fromkeys((limits.drift_level, limits.level)))
     proofs = [name for name in motions if name == MOTIONS or name.removeprefix(f"{MOTIONS}_") in verified]
     proved = f"records: {_list(proofs)}, levels: {_list(verified)}"
-    statistic = "" if limits.statistic == "mean" else f"\n    statistic: {limits.statistic}"
     objectives = f"objectives: [{', '.join(limits.objectives)}]"
-    whole = "the basic safety objective" if len(limits.objectives) > 1 else "a cell of the rehabilitation objectives"
-    last = f"{objectives}                       # {whole} of FEMA 356\n\n"
+    last = f"{objectives}                       # {_safety(limits.objectives)}\n\n"
     return f"""\
 # Motions: `edesign check` says which of them are recordings and which are simulated.
 
@@ -145,14 +145,23 @@ criteria:
   - name: drift                         # {limits.source}
     measure: interstorey_drift
     levels: {yaml_text(limits.drift_level)}
-    most: {100.0 * limits.drift:.6g} %{statistic}
+    most: {100.0 * limits.drift:.6g} %
   - name: residual drift                # up to it a frame needs no straightening (FEMA P-58)
     measure: residual_interstorey_drift
     levels: {level}
-    most: {100.0 * RESIDUAL_DRIFT:g} %{statistic}
+    most: {100.0 * RESIDUAL_DRIFT:g} %
 
 {last if limits.objectives else ""}outputs: {{histories: [floors], every: 2}}
 """
+
+
+def _safety(letters: Sequence[str]) -> str:
+    """What objectives are in FEMA 356, of which h and l together are the basic safety objective."""
+    absent = [letter for letter in BASIC if letter not in letters]
+    if not absent:
+        return "the basic safety objective of FEMA 356"
+    rarities = ", ".join(f"{letter} needs a level of {100.0 * OBJECTIVES[letter].probability:g} %" for letter in absent)
+    return f"a part of the basic safety objective of FEMA 356: {rarities} in 50 years, which the file has not"
 
 
 def _motions(row: FrameRow) -> dict[str, tuple[list[str], str]]:

@@ -111,12 +111,12 @@ def too_few_motions(study: Study, name: str) -> list[str]:
     fewer = f"{rules.fewer} ({with_standard(rules.clauses.use)})"
     return [
         f"the criterion `{asked.name}` takes the {asked.statistic} of {count} motions, fewer than "
-        f"{rules.number_for_mean}: {fewer}; `statistic: maximum` is on the safe side"
+        f"{rules.number_for_mean}: {fewer}; `statistic: code`, the default, takes the most unfavourable value"
         for asked in study.criteria
         if asked.name in verify.criteria
         and asked.share is None
         and not asked.traits.from_below
-        and statistic(code_statistic(asked.statistic, count), ranks) != count - 1.0
+        and statistic(code_statistic(asked.statistic, count, rules), ranks) != count - 1.0
     ]
 
 
