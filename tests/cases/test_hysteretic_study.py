@@ -75,11 +75,15 @@ def test_design_is_what_stands_in_the_project(archive: Path) -> None:
 
 def test_devices_to_order(archive: Path) -> None:
     with open_archive(archive) as opened:
-        tables = [t for t in study_tables(opened) if t.title == "Devices to order: largest values of one damper"]
+        tables = [t for t in study_tables(opened) if t.title.startswith("Largest values of one damper")]
+        order = next(t for t in study_tables(opened) if t.title == "Devices to order, design share")
         history = opened.group("analyses/share.DBE.motion")
         force = float(opened.group("designs/share").variables["device_yield_force"].values[2])
     assert [row[0] for row in tables[0].rows] == ["estimate", "share, DBE"] * 3
     last = tables[0].texts[-1]
+    # a row a storey: what the histories ask for, and not the estimate
+    assert [row[0] for row in order.texts] == ["1", "2", "3"]
+    assert order.texts[-1][4:] == [last[6], last[8], last[10]]
     stroke = max(abs(history.variables[f"damper_deformation_{which}"].values[2]) for which in ("max", "min"))
     assert float(last[3]) == float(last[5]) == float(last[6]) == pytest.approx(force / 1e3, rel=1e-3)
     assert float(last[7]) == pytest.approx(1e3 * stroke, rel=1e-3)
@@ -92,10 +96,10 @@ def test_connections_of_the_study(archive: Path) -> None:
     with open_archive(archive) as opened:
         found = study_tables(opened)
         slip = float(opened.group("designs/share").variables["device_yield_force"].values[0])
-    (table,) = (one for one in found if one.title == "Connections of the dampers, share, largest of all levels")
-    gusset, _, apex, beam = table.rows[:4]
-    assert [row[2] for row in table.rows[:4]] == ["lower gusset"] * 2 + ["apex, to the damper", "beam above"]
-    assert [row[3] for row in table.rows[:4]] == ["A0", "B0", "storey 1", "storey 1"]
+    (table,) = (one for one in found if one.title == "Connections of the dampers, share, largest of each storey")
+    gusset, apex, beam = table.rows[:3]  # of the gussets A0 and B0, which have the same force, the first
+    assert [row[2] for row in table.rows[:3]] == ["lower gusset", "apex, to the damper", "beam above"]
+    assert [row[3] for row in table.rows[:3]] == ["A0", "storey 1", "storey 1"] and len(table.rows) == 9
     # both ways it slips; the law of friction reaches its force to 1e-3
     assert gusset[5:] == pytest.approx(
         [5 / 6 * slip, 5 / 6 * slip, 1.0, 5 / 6 * slip, slip / 2, 4 / 6 * slip], rel=2e-3

@@ -72,9 +72,16 @@ def test_devices_to_order(archive: Path) -> None:
         tables = {table.title: table for table in study_tables(opened)}
         history = opened.group("analyses/upper.DBE.motion")
         design = opened.group("designs/oil")
-    table = tables["Devices to order: largest values of one damper"]
+    table, order = (
+        tables["Largest values of one damper, estimated and in histories"],
+        tables["Devices to order, design oil"],
+    )
     assert [row[0] for row in table.rows] == ["estimate", "damped, DBE", "upper, DBE"] * 3
     last = table.texts[-1]
+    # each value the largest of both variants: `damped` has the longer stroke, `upper` the larger force
+    before = table.texts[-2]
+    largest = [max(float(before[i]), float(last[i])) for i in (6, 8, 10)]
+    assert [float(value) for value in order.texts[-1][4:7]] == largest and len(order.rows) == 3
     force, stroke = (
         max(abs(history.variables[f"damper_{name}_{which}"].values[2]) for which in ("max", "min"))
         for name in ("force", "deformation")

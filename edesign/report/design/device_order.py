@@ -32,8 +32,15 @@ class _Device(NamedTuple):
     """On its strength, of a variant."""
     largest: Mapping[str, tuple[float | None, float | None]]
     """Mean and largest of the histories, SI."""
+    counted: Mapping[str, float | None]
+    """The one that counts by the number of motions."""
     factored: Mapping[str, float]
-    """The one that counts, with the factors of the code; none where all are 1."""
+    """It with the factors of the code; none where all are 1."""
+
+    @property
+    def asked(self) -> Mapping[str, float | None]:
+        """What the damper has to have, with the factors of the code."""
+        return {**self.counted, **self.factored}
 
 
 def _size(name: str) -> Callable[[_Device], float]:
@@ -45,6 +52,14 @@ def _strength(name: str) -> Callable[[_Device], float]:
     return lambda device: _size(name)(device) * device.factor
 
 
+def _asked(name: str) -> Callable[[_Device], float | None]:
+    return lambda device: device.asked.get(name)
+
+
+def _factored(name: str) -> Callable[[_Device], float | None]:
+    return lambda device: device.factored.get(name)
+
+
 def _largest(header: str, unit: Unit, name: str) -> tuple[Column[_Device], Column[_Device]]:
     return (
         col(f"mean {header}", unit, lambda device: device.largest[name][0]),
@@ -52,65 +67,74 @@ def _largest(header: str, unit: Unit, name: str) -> tuple[Column[_Device], Colum
     )
 
 
-def _ordered(header: str, unit: Unit, name: str) -> Column[_Device]:
-    return col(f"{header} factored", unit, lambda device: device.factored.get(name), optional=True)
+LARGEST = "Largest values of one damper, estimated and in histories"
+_Wanted = tuple[tuple[str, Unit, str], ...]
+"""Header, unit and name of the values that a damper of a kind has to have."""
 
 
-_TITLE = "Devices to order: largest values of one damper"
-_FILE = "devices_to_order"
-_NAMED: tuple[Column[_Device], ...] = (
-    text("", "whose"),
-    count("storey", lambda device: int(device.storey.name)),
-    count("number", _size("count")),
-)
-VISCOUS_DEVICES = TableSpec[_Device](
-    "viscous_devices_to_order",
-    _TITLE,
-    (
-        *_NAMED,
-        col("c", "coefficient", _size("coefficient")),
-        col("alpha", ONE, lambda device: float(device.storey.group.attributes["alpha"]), form="g", as_shown=True),
-        *_largest("force", KN, "force"),
-        *_largest("stroke", MM, "stroke"),
-        *_largest("velocity", M_S, "velocity"),
-        _ordered("force", KN, "force"),
-        _ordered("stroke", MM, "stroke"),
-        _ordered("velocity", M_S, "velocity"),
+def _specs(
+    kind: str, sizes: Sequence[Column[_Device]], wanted: _Wanted, raised: Sequence[str]
+) -> tuple[TableSpec[_Device], TableSpec[_Device]]:
+    """The tables of what is ordered, and of the values that it comes from."""
+    named: tuple[Column[_Device], ...] = (
+        count("storey", lambda device: int(device.storey.name)),
+        count("number", _size("count")),
+    )
+    to_order = [col(header, unit, _asked(name), optional=True) for header, unit, name in wanted]
+    both = [column for one in wanted for column in _largest(*one)]
+    factored = [
+        col(f"{header} factored", unit, _factored(name), optional=True)
+        for header, unit, name in wanted
+        if name in raised
+    ]
+    return (
+        TableSpec(
+            f"{kind}_to_order",
+            "Devices to order, design {design}",
+            (*named, *sizes, *to_order, text("force by", lambda device: device.whose or None, optional=True)),
+            named_as="devices_to_order",
+        ),
+        TableSpec(
+            f"largest_values_of_{kind}",
+            LARGEST,
+            (text("", "whose"), *named, *sizes, *both, *factored),
+            named_as="largest_values_of_a_damper",
+        ),
+    )
+
+
+_BY_KIND = {
+    "viscous": _specs(
+        "viscous_devices",
+        (
+            col("c", "coefficient", _size("coefficient")),
+            col("alpha", ONE, lambda device: float(device.storey.group.attributes["alpha"]), form="g", as_shown=True),
+        ),
+        (("force", KN, "force"), ("stroke", MM, "stroke"), ("velocity", M_S, "velocity")),
+        ("force", "stroke", "velocity"),
     ),
-    named_as=_FILE,
-)
-HYSTERETIC_DEVICES = TableSpec[_Device](
-    "hysteretic_devices_to_order",
-    _TITLE,
-    (
-        *_NAMED,
-        col("F_y", KN, _size("yield_force")),
-        col("k", KN_MM, _size("stiffness")),
-        *_largest("force", KN, "force"),
-        *_largest("stroke", MM, "stroke"),
-        *_largest("plastic", MM, "cumulated_plastic"),
-        _ordered("force", KN, "force"),
-        _ordered("stroke", MM, "stroke"),
+    "hysteretic": _specs(
+        "hysteretic_devices",
+        (col("F_y", KN, _size("yield_force")), col("k", KN_MM, _size("stiffness"))),
+        (("force", KN, "force"), ("stroke", MM, "stroke"), ("plastic", MM, "cumulated_plastic")),
+        ("force", "stroke"),
     ),
-    named_as=_FILE,
-)
-RESTRAINED_DEVICES = TableSpec[_Device](
-    "restrained_braces_to_order",
-    _TITLE,
-    (
-        *_NAMED,
-        col("A_sc", MM2, _size("core_area")),
-        col("T_adj", KN, _strength("adjusted_tension")),
-        col("C_adj", KN, _strength("adjusted_compression")),
-        *_largest("force", KN, "force"),
-        *_largest("strain", PERCENT, "core_strain"),
-        *_largest("cum.", Unit("-"), "cumulative_ductility"),
-        _ordered("force", KN, "force"),
-        _ordered("strain", PERCENT, "core_strain"),
+    "buckling_restrained": _specs(
+        "restrained_braces",
+        (
+            col("A_sc", MM2, _size("core_area")),
+            col("T_adj", KN, _strength("adjusted_tension")),
+            col("C_adj", KN, _strength("adjusted_compression")),
+        ),
+        (
+            ("force", KN, "force"),
+            ("strain", PERCENT, "core_strain"),
+            ("cum.", Unit("-"), "cumulative_ductility"),
+        ),
+        ("force", "core_strain"),
     ),
-    named_as=_FILE,
-)
-_BY_KIND = {"viscous": VISCOUS_DEVICES, "hysteretic": HYSTERETIC_DEVICES, "buckling_restrained": RESTRAINED_DEVICES}
+}
+ESTIMATE = "estimate"
 _VALUES = ("force", "stroke", "velocity", "cumulated_plastic", "core_strain", "cumulative_ductility")
 
 
@@ -146,14 +170,18 @@ class OrderFactors:
         return found
 
 
-def devices_table(
+def devices_tables(
     group: Group,
     sets: Sequence[HistorySet],
     factors: Mapping[str, float],
     rules: SetRules,
     raised: OrderFactors = OrderFactors(),  # noqa: B008 - frozen
-) -> Table:
-    """Return the data to order the dampers: the estimate, and the demand in histories of the variants that have them.
+) -> list[Table]:
+    """Return what is ordered, a row for each storey, and the values that it comes from.
+
+    Each value to order is the largest over the variants and levels that have the design, by the statistic that the code
+    takes of their motions, and with the factors of the code. Without histories it is the estimate. The other table has
+    the estimate and the demand in histories of each variant and level.
 
     Args:
         group: of a design of viscous or hysteretic dampers.
@@ -162,23 +190,54 @@ def devices_table(
         raised: factors of the code on stroke and velocity.
     """
     if "device_count" not in group.variables or group.attributes.get("status") != "completed":
-        return Table("")
+        return []
     demands = [device_demand(group, found, factors[found.variant]) for found in sets if found.variant in factors]
     found = [demand for demand in demands if demand is not None]
     devices = list(_devices(group, found, factors, rules, raised))
-    notes = _notes(group, found) if devices else []
-    if devices:
-        notes += governing_notes(
-            [(_whose(one), one.motions, tuple(one.values["force"].max(axis=1))) for one in found], rules
-        )
+    if not devices:
+        return []
+    factored = raised.note and any(device.factored for device in devices)
+    with_factors = wrapped(f"{raised.note.rstrip('.')}; the force with them by the law.") * bool(factored)
+    bounds = []
     if any(factors[demand.variant] != 1.0 for demand in found):
-        own = "T_adj and C_adj have" if _kind(group) == "buckling_restrained" else "forces alone have"
-        notes.append(f"{own} the bound of a variant; what is ordered is without")
-    if raised.note and any(device.factored for device in devices):
-        notes += [*wrapped(raised.note), "factored: of the value that counts; the force by the law of the damper"]
+        own = "T_adj and C_adj have" if _kind(group) == "buckling_restrained" else "Forces alone have"
+        bounds.append(f"{own} the bound of a variant; what is ordered is without.")
     coefficient = group.variables.get("device_coefficient")
     units = {} if coefficient is None else {"coefficient": kilonewtons(coefficient.unit)}
-    return _BY_KIND[_kind(group)].of(devices, units=units, notes=notes)
+    order, largest = _BY_KIND[_kind(group)]
+    ordered, design = list(_to_order(devices)), group.attributes.get("name", "")
+    of = {one.whose for one in ordered}
+    governs = f"Force in all storeys by {of.pop()}." if len(of) == 1 and found else ""
+    ordered = [one._replace(whose="") for one in ordered] if governs else ordered
+    said = [*[governs] * bool(governs), *_order_notes(found, rules), *with_factors, *_device_notes(group)]
+    return [
+        order.of(ordered, units=units, notes=said, design=design),
+        largest.of(devices, units=units, notes=[*_notes(group, found), *bounds, *with_factors]),
+    ]
+
+
+def _to_order(devices: Sequence[_Device]) -> Iterator[_Device]:
+    """One device for each storey, whose values are the largest of those in histories, else the estimated ones."""
+    by_storey: dict[int, list[_Device]] = {}
+    for device in devices:
+        by_storey.setdefault(device.storey.number, []).append(device)
+    for all_of in by_storey.values():
+        of = [device for device in all_of if device.whose != ESTIMATE] or all_of
+        names = [name for name in _VALUES if any(device.asked.get(name) is not None for device in of)]
+        asked = {name: max(value for device in of if (value := device.asked.get(name)) is not None) for name in names}
+        first = max(of, key=lambda device: device.asked.get("force") or 0.0)
+        yield _Device(first.whose, first.storey, 1.0, {}, asked, {})
+
+
+def _order_notes(found: Sequence[DeviceDemand], rules: SetRules) -> list[str]:
+    """Say which values are ordered."""
+    if not found:
+        return ["Values of one damper, by the estimate: there are no histories yet."]
+    clause = f" ({with_standard(rules.clauses.use)})" if rules.clauses.use else ""
+    return wrapped(
+        "Each value, of one damper, is the largest of all variants and levels with the design, of each the "
+        f"mean of at least {rules.number_for_mean} motions, else the largest{clause}."
+    )
 
 
 def _devices(
@@ -188,13 +247,13 @@ def _devices(
         if "estimated_device_force" in group.variables:
             estimated = {name: storey.value(f"estimated_device_{name}") for name in _VALUES}
             both = {name: (value, None) for name, value in estimated.items()}
-            yield _Device("estimate", storey, 1.0, both, raised.of(estimated))
+            yield _Device(ESTIMATE, storey, 1.0, both, estimated, raised.of(estimated))
         for demand in found:
             of = demand.values.items()
             values = {name: (both[0, storey.number], both[1, storey.number]) for name, both in of}
             counts = 0 if demand.motions >= rules.number_for_mean else 1
-            ordered = raised.of({name: float(both[counts]) for name, both in values.items()})
-            yield _Device(_whose(demand), storey, factors[demand.variant], values, ordered)
+            counted = {name: float(both[counts]) for name, both in values.items()}
+            yield _Device(_whose(demand), storey, factors[demand.variant], values, counted, raised.of(counted))
 
 
 def _whose(demand: DeviceDemand) -> str:
@@ -224,25 +283,32 @@ def _kind(group: Group) -> str:
     return "buckling_restrained" if "device_core_area" in group.variables else str(group.attributes["method"])
 
 
-def _notes(group: Group, found: Sequence[DeviceDemand]) -> list[str]:
+def _device_notes(group: Group) -> list[str]:
+    """What the values of a kind of damper are."""
     kind = _kind(group)
-    notes = []
-    if "estimated_device_force" in group.variables:
-        pseudo = ", pseudo velocity" if kind == "viscous" else ""
-        notes.append(f"estimate: by the response spectrum of the level of the design{pseudo}")
+    if kind == "viscous":
+        return ["The stroke is that of the damper, without its brace."]
     if kind == "hysteretic":
         hardening = float(str(group.attributes["hardening"]))
         after = f"; stiffness after yielding {hardening:g} k" if hardening > 0.0 else ""  # nan: it keeps changing
-        notes.append(f"a damper yields at {_yields(group)}{after}; plastic: cumulated, work over F_y")
-    elif kind == "buckling_restrained":
-        notes.append("T_adj: omega R_y F_ysc A_sc, C_adj: beta omega R_y F_ysc A_sc (AISC 341-16, F4.2a)")
-        notes.append(f"a brace yields at {_yields(group)}; strain: of its core")
-        notes.append("cum.: cumulative ductility, the sum of the plastic deformations over that at yield")
+        return [
+            f"A damper yields at {_yields(group)}{after}. Plastic: cumulated, work over F_y.",
+            "The stroke is that of the damper, without its brace.",
+        ]
+    return [
+        "T_adj: omega R_y F_ysc A_sc, C_adj: beta omega R_y F_ysc A_sc (AISC 341-16, F4.2a).",
+        f"A brace yields at {_yields(group)}. Strain: of its core.",
+        "Cum.: cumulative ductility, the sum of the plastic deformations over that at yield.",
+    ]
+
+
+def _notes(group: Group, found: Sequence[DeviceDemand]) -> list[str]:
+    notes = []
+    if "estimated_device_force" in group.variables:
+        pseudo = ", pseudo velocity" if _kind(group) == "viscous" else ""
+        notes.append(f"Estimate: by the response spectrum of the level of the design{pseudo}.")
     counts = [f"{d.variant}, {d.level}: {d.histories} of {d.planned}".replace(", :", ":") for d in found]
-    if counts:
-        without = "" if kind == "buckling_restrained" else "; the stroke is without the brace"
-        notes.append(f"histories: {'; '.join(counts)}{without}")
-    return notes
+    return [*notes, *([f"Histories: {'; '.join(counts)}."] if counts else [])]
 
 
 def _yields(group: Group) -> str:

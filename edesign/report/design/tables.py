@@ -14,7 +14,7 @@ from edesign.assess.sets import HistorySet
 from edesign.ground_motion.hazard import rules_in_force
 from edesign.project.actions.hazard_base import Hazard
 from edesign.report.design.braces_table import braces_table
-from edesign.report.design.device_order import OrderFactors, devices_table
+from edesign.report.design.device_order import OrderFactors, devices_tables
 from edesign.report.design.hysteretic_tables import hysteretic_damping_table, hysteretic_storeys_table
 from edesign.report.design.placement_tables import placement_tables
 from edesign.report.design.storeys import STOREY, first_mode, heading
@@ -166,11 +166,11 @@ def design_tables(
         tables = [*placement_tables(group, sets, factors, rules), _lines(_warning_lines(group))]
         return [table for table in tables if table.rows or table.notes]
     if method == "viscous":
-        order = devices_table(group, sets, factors, rules, raised)
-        sized = [viscous_storeys_table(group), order, viscous_damping_table(group)]
+        order = devices_tables(group, sets, factors, rules, raised)
+        sized = [viscous_storeys_table(group), *order, viscous_damping_table(group)]
     elif method == "hysteretic":
-        order = devices_table(group, sets, factors, rules, raised)
-        sized = [hysteretic_storeys_table(group), order, hysteretic_damping_table(group)]
+        order = devices_tables(group, sets, factors, rules, raised)
+        sized = [hysteretic_storeys_table(group), *order, hysteretic_damping_table(group)]
     else:
         sized = [storeys_table(group), damping_table(group)]
     sized.insert(1, braces_table(group, sets, factors, rules))

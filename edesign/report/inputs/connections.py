@@ -71,12 +71,18 @@ class _Demand:
     """
 
     storey: int
-    place: str
+    kind: str
+    bay: str
     connection: Connection
     label: str
     tension: float
     compression: float
     factor: float
+
+    @property
+    def place(self) -> str:
+        """The kind of the damper and its bay."""
+        return f"{self.kind}, {self.bay}"
 
     @property
     def largest(self) -> float:
@@ -178,7 +184,8 @@ def connection_tables(
     Args:
         study: it is of; None: a project.
         whole: reads the results of an analysis with what was kept over time.
-        governing: whether only the level is told whose force is largest.
+        governing: whether a storey has one row for each part of its connections: the place and the level whose force
+            is largest.
 
     Raises:
         InputError: a frame cannot be built.
@@ -194,15 +201,13 @@ def connection_tables(
         asked = [(label, one) for label, one in asking(variant, study, sets) if one.completed]
         for device in frame.devices:
             if device.stands:
-                demands: list[_Demand] = []
                 for label, one in asked:
-                    demands += _demands(frames, variant, device, label, one, factors, whole)
-                rows += _governing(demands) if governing else demands
-        rows.sort(key=lambda one: one.storey)
+                    rows += _demands(frames, variant, device, label, one, factors, whole)
+        rows = sorted(_governing(rows) if governing else rows, key=lambda one: one.storey)
         named = study is not None and study.device_factors is not None
-        notes = _notes(rules, factors, named, governing and len(asked) > 1)
+        notes = _notes(rules, factors, named, governing)
         of = f", {variant}" if variant else ""
-        largest = ", largest of all levels" if governing else ""
+        largest = ", largest of each storey" if governing else ""
         tables.append(CONNECTIONS.of(rows, notes=notes if rows else [], of=of, governing=largest))
     return [table for table in tables if table.rows]
 
@@ -232,7 +237,7 @@ def _demands(
         both = (pull, push) if connection.pulled > 0.0 else (push, pull)
         tension, compression = (max(value, 0.0) * connection.size for value in both)
         factor = factors.overstrength * ratio
-        yield _Demand(device.storey, f"{kind}, {place}", connection, label, tension, compression, factor)
+        yield _Demand(device.storey, kind, place, connection, label, tension, compression, factor)
 
 
 def _has(group: Group, device: Device) -> bool:
@@ -249,10 +254,10 @@ def _counted(worst: np.ndarray, rules: SetRules) -> float:
 
 
 def _governing(demands: Sequence[_Demand]) -> list[_Demand]:
-    """Of each connection the level with the largest force; without any factor the largest of the histories."""
-    found: dict[tuple[str, str], _Demand] = {}
+    """Of each part in a storey, by kind of damper, the place and level with the largest force of the histories."""
+    found: dict[tuple[int, str, str], _Demand] = {}
     for one in demands:
-        key = (one.connection.part, one.connection.at)
+        key = (one.storey, one.kind, one.connection.part)
         before = found.get(key)
         if before is None or max(one.tension, one.compression) > max(before.tension, before.compression):
             found[key] = one
@@ -274,5 +279,8 @@ def _notes(rules: SetRules, factors: DeviceFactors, asked: bool, governing: bool
             "not kept is the pseudo velocity of the first mode."
         )
     if governing:
-        notes.append("The level is that with the largest force; the report and its workbook have all levels.")
+        notes.append(
+            "A row is the place and the level with the largest force of a part in a storey; all places and levels are "
+            "folded in the page, in the appendix of the PDF, and in the workbook."
+        )
     return notes

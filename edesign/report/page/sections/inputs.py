@@ -91,17 +91,22 @@ def _of_frames(source: Source, frames: VariantFrames) -> list[Part]:
             "damper schedule",
             lambda: schedule_tables(frames, source.study, source.sets, lambda name: results(source.archive, name)),
         ),
-        (
-            "connections of the dampers",
-            lambda: connection_tables(frames, source.study, source.sets, lambda name: results(source.archive, name)),
-        ),
+        ("connections of the dampers", lambda: _connections(source, frames, governing=True)),
+        ("connections of each damper", lambda: _connections(source, frames, governing=False)),
     )
     parts: list[Part] = []
     for what, make in makers:
         tables: list[Table] = []
         with source.or_left_out(what):
             tables = make()
-        if tables and what != "masses of the floors":
+        each = what == "connections of each damper"
+        if tables and what != "masses of the floors" and not each:
             parts.append(Heading(what.capitalize()))
-        parts += [Folded(f"{t.title} ({len(t.rows)} rows)", (t,)) if len(t.rows) > MANY else t for t in tables]
+        parts += [Folded(f"{t.title} ({len(t.rows)} rows)", (t,)) if each or len(t.rows) > MANY else t for t in tables]
     return parts
+
+
+def _connections(source: Source, frames: VariantFrames, governing: bool) -> list[Table]:
+    return connection_tables(
+        frames, source.study, source.sets, lambda name: results(source.archive, name), governing=governing
+    )
