@@ -194,3 +194,20 @@ def national_of(hazard: EC8Hazard | NtcHazard) -> NationalParameters:
         InputError: the country has no data file.
     """
     return ntc_parameters() if isinstance(hazard, NtcHazard) else EC8Action(hazard).national
+
+
+def national_values(hazard: Hazard) -> str | None:
+    """Return whose national values an action has; None: its code has none.
+
+    Raises:
+        InputError: a file of the country is not at hand.
+    """
+    if not isinstance(hazard, EC8Hazard):
+        return None
+    country = national_of(hazard).country
+    own = ", but where `hazard: national` states them" if hazard.national.stated() else ""
+    if country is None:
+        return f"recommended ones of EN 1998-1{own}"
+    zone = f", zone {hazard.zone}" if hazard.zone is not None else ""
+    name = country.replace("_", " ").title()
+    return f"National Annex of {name}{zone}; recommended ones where its data file says nothing{own}"

@@ -183,7 +183,7 @@ class EC8Action:
         return in_50_years(given.probability, given.return_period)
 
     def facts(self, level: str) -> str:
-        """Return probability or return period, and importance factor, of a level.
+        """Return probability or return period, importance class and factor, of a level.
 
         Args:
             level: its name in the hazard.
@@ -192,7 +192,8 @@ class EC8Action:
         chance = f"{100 * given.probability:g} % in 50 years, " if given.probability is not None else ""
         if given.return_period is not None:
             chance = f"once in {given.return_period / YEAR:g} years, "
-        return f"{chance}gamma_I = {self.factor(level):.4g}"
+        of_class = f"importance class {given.importance_class}, " if given.importance_class is not None else ""
+        return f"{chance}{of_class}gamma_I = {self.factor(level):.4g}"
 
     def _gamma_I(self, level: str | None) -> float:
         return 1.0 if level is None else self.factor(level)

@@ -10,7 +10,7 @@ from functools import cached_property
 from itertools import accumulate, pairwise
 from typing import Annotated, Any
 
-from pydantic import PrivateAttr
+from pydantic import Field, PrivateAttr
 
 from edesign.project.frame.foundations import Footing, FootingSupport
 from edesign.project.frame.leaning_column import LeaningColumn
@@ -83,6 +83,8 @@ class Frame(Storeys, Model):
         axes: names of the column lines from the left, as plans have them; without the key A, B, ...
         in_building: frames of a building that it has from the left, such as `[X1]`, with `axes` of the building; beams,
             braces and dampers then have their names there, BX_1_2_5. `edesign extract` writes it.
+        left_in_building: what the building has and this frame has not, in words, for reports. `edesign extract`
+            writes it.
         supports: support of all columns, or a mapping by line; lines that it does not name take its `default`, else
             `fixed`.
         diaphragms: floors whose nodes share their horizontal displacement.
@@ -98,6 +100,7 @@ class Frame(Storeys, Model):
     storeys: Annotated[Heights | EqualStoreys, OneOf()]
     axes: tuple[Axis, ...] | None = None
     in_building: tuple[BuildingFrame, ...] = ()
+    left_in_building: tuple[Annotated[str, Field(min_length=1, max_length=200)], ...] = ()
     supports: Annotated[SupportKind | dict[str, Support], OneOf()] = "fixed"
     diaphragms: NumbersOrNone = NO_NUMBERS
     columns: tuple[ColumnRun, ...]

@@ -5,8 +5,9 @@ from __future__ import annotations
 from itertools import groupby
 
 from edesign.codes.ntc2018.drift import limit_state_of_drift
-from edesign.ground_motion.hazard import national_of
+from edesign.ground_motion.hazard import action_of, national_of, national_values
 from edesign.project.actions.hazard import NtcHazard
+from edesign.project.actions.hazard_base import YEAR
 from edesign.project.building.building import Building
 from edesign.project.building.design import Design, Drift
 from edesign.report.building.results import BuildingResults
@@ -56,6 +57,7 @@ def design_rows(building: Building, results: BuildingResults) -> Rows:
     factors, drift = design.partial_factors, design.drift
     rows = [("Codes", ", ".join(_codes(design)))]
     rules = rules_of(design)
+    rows += _importance(building)
     rows.append(("Ductility class", rules.ductility[design.ductility_class]))
     for axis in AXES:
         system = system_of(design, axis)
@@ -82,6 +84,16 @@ def design_rows(building: Building, results: BuildingResults) -> Rows:
     if left := _left_to_the_country(building):
         rows.append(("National values", f"{', '.join(left)}: {_whose(building)}"))
     return rows
+
+
+def _importance(building: Building) -> Rows:
+    """The level of the design with its importance class and factor, or the class of use."""
+    hazard, level = building.design_hazard, building.design_level
+    if hazard is None or level is None:
+        return []
+    if isinstance(hazard, NtcHazard):
+        return [("Class of use", f"{hazard.class_of_use}, nominal life {hazard.nominal_life / YEAR:g} years")]
+    return [("Level of the design", f"{level}: {action_of(hazard).facts(level)}")]
 
 
 def _drift(building: Building, drift: Drift) -> str:
@@ -121,11 +133,7 @@ def _whose(building: Building) -> str:
     hazard = building.design_hazard
     if hazard is None:
         return "recommended"
-    country = national_of(hazard).country
-    if isinstance(hazard, NtcHazard):
-        return f"of {country}"
-    own = ", but where `hazard: national` states them" if hazard.national.stated() else ""
-    return f"{'recommended' if country is None else f'of {country}'}{own}"
+    return national_values(hazard) or f"of {national_of(hazard).country}"
 
 
 def _left_to_the_country(building: Building) -> list[str]:

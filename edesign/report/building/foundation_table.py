@@ -11,6 +11,7 @@ from edesign.archive.dataset import Group
 from edesign.report.building.results import BuildingResults, Row, part
 from edesign.report.tables.column import Column, col, text
 from edesign.report.tables.table import MORE, Table, TableSpec
+from edesign.report.tables.text import wrapped
 from edesign.report.tables.unit import KN, ONE, Unit
 from edesign.space.checks.foundations import COMPONENTS
 from edesign.space.structure.frame import AXES
@@ -105,7 +106,23 @@ def foundation_table(results: BuildingResults) -> Table:
     supports, of_base = results.rows("foundations", "support"), _of_base_hinge(results.group("foundations"))
     for support in supports:
         support["of_foot"] = of_base[:, support.number]
-    return FOUNDATIONS.of(supports)
+    return FOUNDATIONS.of(supports, notes=_beyond_elastic(results))
+
+
+def _beyond_elastic(results: BuildingResults) -> list[str]:
+    """Say where the design actions are more than those of the elastic spectrum."""
+    largest = results.values("foundations", "factor").max(axis=1)
+    beyond = [
+        f"f_{axis} up to {factor:.2f} with q = {q:g}"
+        for axis, factor in zip(AXES, largest, strict=True)
+        if factor > (q := results.number(f"q_{axis}")) * (1.0 + 1e-9)  # rounding
+    ]
+    if not beyond:
+        return []
+    return wrapped(
+        f"More than the elastic action, f > q: {' and '.join(beyond)}. 4.4.2.6(4) limits Omega to q and not gamma_Rd "
+        "Omega, and is taken as it stands; forces of members stop at the elastic action."
+    )
 
 
 def foundation_summary(of: Group) -> list[dict[str, object]]:

@@ -13,8 +13,9 @@ from edesign.damper.laws import LAWS
 from edesign.errors import EdesignError
 from edesign.frame.hinges import member_ends
 from edesign.frame.rigid_ends import rigid_ends
-from edesign.ground_motion.hazard import action_of
-from edesign.project.actions.hazard_base import Hazard
+from edesign.ground_motion.hazard import action_of, national_values
+from edesign.project.actions.hazard import NtcHazard
+from edesign.project.actions.hazard_base import YEAR, Hazard
 from edesign.project.analysis.damping import CaugheyDamping, MassDamping, ModalDamping, NoDamping, RayleighDamping
 from edesign.project.analysis.integration import HHTIntegration, Integration, NewmarkIntegration
 from edesign.project.dampers.dampers import DamperLaw
@@ -65,6 +66,9 @@ def hazard_rows(hazard: Hazard) -> Rows:
     except EdesignError:
         return []
     rows = [] if reference is None else [("Reference action", reference.label), ("Spectrum", _shape(reference))]
+    rows += [] if (values := national_values(hazard)) is None else [("National values", values)]
+    if isinstance(hazard, NtcHazard):
+        rows.append(("Class of use", f"{hazard.class_of_use}, nominal life {hazard.nominal_life / YEAR:g} years"))
     for level, spectrum in spectra.items():
         ground = f"peak ground acceleration {plain(spectrum.zero_period / STANDARD_GRAVITY)} g"
         shape = (_shape(spectrum),) if hazard.own_shapes else ()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
@@ -59,8 +60,8 @@ def project_text(row: FrameRow, study: StudyNames | None = None) -> str:
     return text if study is None else f"{text}\n{study_blocks(row, study)}"
 
 
-def left_out(building: Building) -> str:
-    """Return what a building has that frames taken out of it do not have: `dampers, isolators`; empty for nothing.
+def left_out(building: Building) -> list[str]:
+    """Return what a building has that frames taken out of it do not have, such as `dampers`.
 
     Args:
         building: from `load_building`.
@@ -69,8 +70,13 @@ def left_out(building: Building) -> str:
     has: dict[str, object] = {}
     if of is not None:
         has = {"dampers": of.devices, "tuned masses": of.attachments, "isolators": of.isolation}
-    has["own load cases"] = building.loads.cases
-    return ", ".join(name for name, there in has.items() if there)
+    found = [name for name, there in has.items() if there]
+    return [*found, f"own load cases {', '.join(building.loads.cases)}"] if building.loads.cases else found
+
+
+def _quoted(words: str) -> str:
+    """Words in a list of YAML."""
+    return json.dumps(words, ensure_ascii=False)
 
 
 class _ProjectText:
@@ -114,7 +120,7 @@ class _ProjectText:
         text.append("# Beams carry their loads where these act, nodes what beams at right angles bring.")
         if without := left_out(self.building):
             stands = "The frame stands on its supports. " if self.building.isolation is not None else ""
-            text.append(f"# {stands}The building has {without} too, which are not in this file.")
+            text.append(f"# {stands}The building has {'; '.join(without)} too, which are not in this file.")
         text += self._leaning_text() if row.alone is not None and self.shares else []
         if any(not run.in_compression for frame in row.frames for run in frame.braces.values()):
             text.append("# Of diagonals that do not count in compression each has half its area, as in the building.")
@@ -163,13 +169,14 @@ class _ProjectText:
         found = self.row.merged(lambda frame: {(i, 1): frame.support(i) for i, s in frame.columns if s == 1})
         supports = {line: kind for (line, _), kind in sorted(found.items())}
         supports |= {self.leaning_line: "pinned"} if self.leans else {}
-        kinds = set(supports.values())
+        kinds, without = set(supports.values()), left_out(self.building)
         by_line = "{" + ", ".join(f"{self.row.line_name(i)}: {kind}" for i, kind in supports.items()) + "}"
         return [
             "frame:",
             f"  bays: {_lengths(widths, 'width')}",
             f"  axes: [{', '.join(map(self.row.line_name, self.lines))}]",
             f"  in_building: [{', '.join(frame.name for frame in self.row.frames)}]",
+            *([f"  left_in_building: [{', '.join(map(_quoted, without))}]"] if without else []),
             f"  storeys: {_lengths(self.building.storey_heights[: self.storeys], 'height')}",
             f"  supports: {kinds.pop() if len(kinds) == 1 else by_line}",
             f"  diaphragms: {self._diaphragms()}",
@@ -314,7 +321,7 @@ class _ProjectText:
         return [*text, ""]
 
     def loads(self) -> list[str]:
-        """Line loads and nodal loads; Q of several categories with different psi_2 is multiplied with them."""
+        """Line loads and nodal loads; of several categories Q counts by psi_2 over the largest one."""
         G = {name: 1.0 for name in ALWAYS if name in self.row.space.cases}
         Q, factor, why = self._live()
         beams_G = self.row.merged(lambda frame: frame.beam_load(G))
@@ -347,7 +354,10 @@ class _ProjectText:
         of_cases = {name: gravity_factor(self.building, category) for name, category in live.items()}
         if len(set(of_cases.values())) <= 1:
             return dict.fromkeys(live, 1.0), next(iter(of_cases.values()), 0.0), "psi_2"
-        return of_cases, 1.0, "Q is multiplied with psi_2 of its categories"
+        largest = max(of_cases.values())
+        by_psi = dict(sorted({live[name]: psi for name, psi in of_cases.items() if psi < largest}.items()))
+        others = ", ".join(f"{category} times {psi:g}/{largest:g}" for category, psi in by_psi.items())
+        return {name: psi / largest for name, psi in of_cases.items()}, largest, f"psi_2; Q of category {others}"
 
     def masses(self) -> list[str]:
         found = self.row.merged(PlaneFrame.node_mass)

@@ -160,8 +160,8 @@ def _safety(letters: Sequence[str]) -> str:
     absent = [letter for letter in BASIC if letter not in letters]
     if not absent:
         return "the basic safety objective of FEMA 356"
-    rarities = ", ".join(f"{letter} needs a level of {100.0 * OBJECTIVES[letter].probability:g} %" for letter in absent)
-    return f"a part of the basic safety objective of FEMA 356: {rarities} in 50 years, which the file has not"
+    rarities = ", ".join(f"{letter}: {100.0 * OBJECTIVES[letter].probability:g} %" for letter in absent)
+    return f"a part of the basic safety objective of FEMA 356; no level is of {rarities} in 50 years"
 
 
 def _motions(row: FrameRow) -> dict[str, tuple[list[str], str]]:

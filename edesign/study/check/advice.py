@@ -56,12 +56,21 @@ def project_warnings(project: AnalysisFile, records: Mapping[str, Record]) -> li
     vertical = any(isinstance(spec, HistoryAnalysis) and spec.vertical is not None for spec in project.analyses)
     found = frame_warnings(project, records) + (_still_warnings([project]) if vertical else [])
     return [
+        *_left_in_building(project),
         *found,
         *couple_advice(project),
         *law_warnings(project),
         *pattern_warnings(pushed),
         *repeated_recordings(records),
     ]
+
+
+def _left_in_building(project: AnalysisFile) -> list[str]:
+    """Say what the building of an extracted frame has and the frame has not."""
+    without = project.frame.left_in_building if isinstance(project, Project) else ()
+    if not without:
+        return []
+    return [f"frame.left_in_building: the building has {'; '.join(without)} too; analyses of the frame are without"]
 
 
 def _still_warnings(projects: Iterable[AnalysisFile]) -> list[str]:
@@ -167,7 +176,7 @@ def study_warnings(study: Study, plan: Sequence[Task], records: Mapping[str, Rec
         InputError: the frame cannot be built, or a law has no parameters at a temperature.
     """
     designed = [name for design in study.designs.values() for name in laws_of_design(design)]
-    found = frame_warnings(study.base, records, designed)
+    found = [*_left_in_building(study.base), *frame_warnings(study.base, records, designed)]
     for name, variant in study.variants.items():
         if variant.values and name not in study.derived:  # those of a sweep are many, between frames that are judged
             warnings = frame_warnings(study.project_of(name), records, designed)
