@@ -79,7 +79,7 @@ def extract(
     for path, text in texts.items():
         write_yaml(text, path, building)
     if without := left_out(read):
-        print(f"note: the building has {'; '.join(without)} too, which {output} does not have")
+        print(f"note: the building has {', '.join(without)} too, which {output} does not have")
     file = shlex.quote(str(study or output))
     print(f"{', '.join(map(str, texts))} written. Next: edesign check {file}; edesign run {file}")
 

@@ -244,7 +244,7 @@ def test_show_prints_the_same_as_the_run(
     shown = call("show", archive)
     lines = reported.stdout.splitlines()
     assert shown.code == 0 and shown.out.splitlines()[2:] == lines[2:-1]  # all but the path and the time
-    assert "1 of them had no room here: Storey and column that grow most" in " ".join(shown.out.split())
+    assert "of which had no room here: edesign show" in " ".join(shown.out.split())
     assert "\nWhat governs\n" in shown.out and "\nUse of members under" in shown.out
     whole = call("show", archive, "--all")
     assert "diff. of damped at 35 degC, DBE: over the 1 record that bare, DBE has too" in whole.out

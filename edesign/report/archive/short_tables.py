@@ -39,6 +39,7 @@ from edesign.study.results.kinds import ANALYSES
 from edesign.study.results.warnings import warning_lines
 from edesign.study.run.outcome import COMPLETED
 
+WARNINGS = "Warnings"
 WARNINGS_SHOWN = 3
 FAILED_SHOWN = 5
 ANALYSES_SHOWN = 4
@@ -123,7 +124,7 @@ def _of_study(archive: Archive, study: Study, groups: dict[str, Group]) -> list[
         governing += others
     shown = not_swept(study, sets)
     use = use_in_short(shown, study.base.hazard)
-    tables += [response_in_short(shown), use, *governing, changes_in_short(shown)]
+    tables += [*governing, use, response_in_short(shown), changes_in_short(shown)]
     tables += [isolation_statistics_table(sets), *derived_tables(study, sets)]
     tables.append(states_table(study.base, groups, study, STATES_IN_SHORT))
     return tables + incremental_tables(archive, groups)
@@ -217,7 +218,7 @@ def _warnings(archive: Archive, groups: dict[str, Group]) -> Table:
     found = [shorten(text, 2 * PAPER, placeholder=" ...") for text in found]
     if len(found) > WARNINGS_SHOWN + 1:
         found = [*found[:WARNINGS_SHOWN], f"and {len(found) - WARNINGS_SHOWN} more"]
-    return Table("Warnings", notes=found)
+    return Table(WARNINGS, notes=found)
 
 
 def _add_ends(top: Table, groups: dict[str, Group], damaged: Sequence[str]) -> None:
@@ -228,6 +229,8 @@ def _add_ends(top: Table, groups: dict[str, Group], damaged: Sequence[str]) -> N
     counts = Counter(end["status"] for end in ends.values())
     others = "".join(f", {count} {status}" for status, count in counts.items() if status != COMPLETED)
     others += f", {len(damaged)} damaged" if damaged else ""
+    if top.rows[-1] == ["status", COMPLETED]:
+        top.rows.pop()  # it is in the line of the analyses
     top.rows.append(["analyses", f"{counts[COMPLETED]} of {len(ends) + len(damaged)} completed{others}"])
     failed = [f"{name}: {end['status']}: {end['reason']}" for name, end in ends.items() if end["status"] == "failed"]
     top.notes += failed[:FAILED_SHOWN]

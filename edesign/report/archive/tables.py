@@ -9,6 +9,7 @@ from operator import itemgetter
 
 from edesign.archive.reader import Archive, open_archive
 from edesign.report.archive.kinds import kind_of
+from edesign.report.archive.short_tables import WARNINGS
 from edesign.report.archive_view import entry, find, results
 from edesign.report.capacity.pushover_tables import events_table, target_tables
 from edesign.report.design.isolation_tables import isolation_estimate_table, isolation_table
@@ -25,12 +26,12 @@ from edesign.report.response.ground_tables import ground_tables
 from edesign.report.response.restrained_braces import restrained_tables
 from edesign.report.tables.column import text
 from edesign.report.tables.table import Table, TableSpec
-from edesign.report.tables.text import PAPER, fitted, plain, wrapped
+from edesign.report.tables.text import PAPER, fitted, plain
 from edesign.study.results.warnings import warnings_of
 
 SCREEN = 40  # lines
 LAST = 2  # of them for the line that says where the rest is
-LEAST = 6  # tables, however long they are: of a study to what governs
+LEAST = 4  # tables beside warnings, however long they are: of a study heading, verdicts, what governs, uses
 HEADING = TableSpec[tuple[str, str]](
     "heading",
     "{title}",
@@ -128,15 +129,13 @@ def _on_a_screen(tables: list[Table]) -> list[Table]:
     shown: list[Table] = []
     for table in tables:
         lines += sum(len(plain(part).splitlines()) + 1 for part in fitted(table, PAPER))
-        if lines > SCREEN - LAST and len(shown) >= LEAST:
+        if lines > SCREEN - LAST and sum(one.title != WARNINGS for one in shown) >= LEAST:
             break
         shown.append(table)
     return shown
 
 
 def _more(archive: Archive, left_out: Sequence[str]) -> Table:
-    """Where everything is, and the titles of those tables of what is asked first that had no room."""
-    notes = [f"All tables: edesign show {shlex.quote(str(archive.path))} --all"]
-    if left_out:
-        notes += wrapped(f"{len(left_out)} of them had no room here: {'; '.join(filter(None, left_out))}.")
-    return Table("", notes=notes)
+    """Where everything is, and how many tables of what is asked first had no room."""
+    more = f", {len(left_out)} of which had no room here" if left_out else ""
+    return Table("", notes=[f"All tables{more}: edesign show {shlex.quote(str(archive.path))} --all"])

@@ -14,7 +14,10 @@ from edesign.report.tables.cell import Value
 from edesign.report.tables.column import Column, literal, text, verdict
 from edesign.report.tables.table import Table, TableSpec
 
-MOST_ROWS = 14
+ROOM = 13
+"""Lines of a screen for criteria; each variant takes two of them, for what governs it and for its members."""
+FEWEST = 5
+"""Criteria that stand there with any number of variants."""
 Row = tuple[str, str]
 """A criterion and a level."""
 Grouped = dict[Row, dict[str, Verdict]]
@@ -66,7 +69,7 @@ def verdicts_in_short(verdicts: Sequence[Verdict], hazard: Hazard | None) -> lis
     grouped: Grouped = {}
     for one in verdicts:
         grouped.setdefault((one.name, one.level), {})[one.variant] = one
-    kept, left_out = _kept(grouped)
+    kept, left_out = _kept(grouped, max(FEWEST, ROOM - 2 * len(variants)))
     left = [f"and {left_out} more, which all variants meet, among all tables"] * bool(left_out)
     notes = [*left, *_counts(verdicts), *few_notes(verdicts, hazard)]
     table = VERDICTS.of(kept, more=[_answers(grouped, variant) for variant in variants], notes=notes)
@@ -84,11 +87,11 @@ def _answers(grouped: Grouped, variant: str) -> Column[Row]:
     return verdict(literal(variant or "structure"), of)
 
 
-def _kept(grouped: Grouped) -> tuple[list[Row], int]:
+def _kept(grouped: Grouped, most: int) -> tuple[list[Row], int]:
     """The rows that are shown, and how many are not."""
     spare = [key for key, of in grouped.items() if all(v.answer in ("met", "does not apply") for v in of.values())]
     spare.sort(key=lambda key: max((one.ratio or 0.0 for one in grouped[key].values()), default=0.0))
-    gone = set(spare[: max(0, len(grouped) - MOST_ROWS)])
+    gone = set(spare[: max(0, len(grouped) - most)])
     return [key for key in grouped if key not in gone], len(gone)
 
 

@@ -56,7 +56,7 @@ def _shaken(project: Project, study: Study | None) -> list[Shaken]:
 def _model(project: Project) -> str:
     isolated = " on an isolated base" if project.isolation is not None else ""
     without = project.frame.left_in_building
-    behind = f" The building has {'; '.join(without)} too, which are not in it." if without else ""
+    behind = f" The building has {', '.join(without)} too, which are not in it." if without else ""
     return (
         f"A plane frame{isolated} is analysed. Torsion of the building, the direction across the frame, walls, "
         "stairs and cladding are not in it. Members bend without shear deformations. Floor slabs add no strength to "

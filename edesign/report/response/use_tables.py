@@ -97,6 +97,15 @@ class _Uses:
         """Members of a kind beyond 1, the worst first."""
         return sorted((one for one in self.rows if one.member.kind == kind and one.member.use > 1.0), key=_order)
 
+    def number(self, kind: str) -> int | None:
+        """How many members of a kind go beyond 1; None: there are none of it."""
+        return None if self.worst(kind) is None else len(self.beyond(kind))
+
+    @property
+    def largest(self) -> float:
+        """The largest use of all."""
+        return max(one.use for one in self.members)
+
     @property
     def tension(self) -> float | None:
         """The largest tension of a column, N."""
@@ -153,6 +162,12 @@ def _worst_name(kind: str, uses: _Uses) -> str | None:
     return None if worst is None else worst.name
 
 
+def _number(kind: str, uses: _Uses) -> int | None:
+    return uses.number(kind)
+
+
+MOST_SETS = 6
+"""Sets of histories from which on the summary has the one of each variant with the largest use."""
 IN_SHORT = TableSpec[_Uses](
     "use_in_short",
     "Use of members under the forces of the histories",
@@ -164,6 +179,7 @@ IN_SHORT = TableSpec[_Uses](
             for column in (
                 col(f"{kind}s", ONE, partial(_worst, kind), form=".2f", optional=True),
                 text("of", partial(_worst_name, kind), name=f"worst {kind}", optional=True),
+                count("> 1", partial(_number, kind), name=f"{kind}s beyond 1", optional=True),
             )
         ),
         col("braces", ONE, partial(_worst, "brace"), form=".2f", optional=True),
@@ -177,16 +193,28 @@ IN_SHORT = TableSpec[_Uses](
 
 
 def use_in_short(sets: Sequence[HistorySet], hazard: Hazard | None) -> Table:
-    """Return the worst uses of each set in a row, and in lines below which members go beyond 1, and why.
+    """Return the worst uses of each set in a row with how many members go beyond 1, and which do so by the dampers.
+
+    Of more than `MOST_SETS` sets, those with the largest use of each variant.
 
     Args:
         sets: of histories; those of archives that do not know uses are left out.
         hazard: as of `use_tables`.
     """
     every = _uses(sets, hazard)
+    levels = len(every)
+    if levels > MOST_SETS:
+        worst: dict[str, _Uses] = {}
+        for uses in every:
+            before = worst.get(uses.found.variant)
+            if before is None or uses.largest > before.largest:
+                worst[uses.found.variant] = uses
+        every = list(worst.values())
     rules = list(dict.fromkeys(uses.note for uses in every if uses.note))
     rules += ["Sections alone: buckling needs `design` in the file."] if any(map(_sections_alone, every)) else []
-    notes = wrapped(" ".join([*rules, "Tension of columns and uplift of supports in kN."])) if every else []
+    said = [*rules, *["The worst level of each variant."] * (len(every) < levels)]
+    said.append("Tension of columns, uplift: kN.")
+    notes = wrapped(" ".join(said)) if every else []
     for uses in every[: IN_SHORT.most]:
         notes += _in_words(uses)
     return IN_SHORT.of(every, notes=notes)
@@ -197,7 +225,7 @@ def _sections_alone(uses: _Uses) -> bool:
 
 
 def _in_words(uses: _Uses) -> list[str]:
-    """Lines on the members beyond 1: those that are not without dampers first."""
+    """Lines on the members that dampers bring beyond 1; the others are counted."""
     lines = []
     for kind in KINDS:
         beyond = uses.beyond(kind)
@@ -205,11 +233,6 @@ def _in_words(uses: _Uses) -> list[str]:
         if because:
             named = [f"{one.member.name} {one.member.use:.2f} (without {one.bare:.2f})" for one in because]
             lines += wrapped(f"{label(uses.found)}: dampers bring {kind}s beyond 1: {_listed(named)}")
-        if others := [one for one in beyond if one not in because]:
-            of = sum(one.kind == kind for one in uses.members)
-            named = [f"{one.member.name} {one.member.use:.2f}" for one in others]
-            more = "further " if because else ""
-            lines += wrapped(f"{label(uses.found)}: {len(others)} {more}of {of} {kind}s beyond 1: {_listed(named)}")
     return lines
 
 

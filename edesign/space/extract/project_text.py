@@ -71,7 +71,7 @@ def left_out(building: Building) -> list[str]:
     if of is not None:
         has = {"dampers": of.devices, "tuned masses": of.attachments, "isolators": of.isolation}
     found = [name for name, there in has.items() if there]
-    return [*found, f"own load cases {', '.join(building.loads.cases)}"] if building.loads.cases else found
+    return [*found, f"own load cases ({', '.join(building.loads.cases)})"] if building.loads.cases else found
 
 
 def _quoted(words: str) -> str:
@@ -120,7 +120,7 @@ class _ProjectText:
         text.append("# Beams carry their loads where these act, nodes what beams at right angles bring.")
         if without := left_out(self.building):
             stands = "The frame stands on its supports. " if self.building.isolation is not None else ""
-            text.append(f"# {stands}The building has {'; '.join(without)} too, which are not in this file.")
+            text.append(f"# {stands}The building has {', '.join(without)} too, which are not in this file.")
         text += self._leaning_text() if row.alone is not None and self.shares else []
         if any(not run.in_compression for frame in row.frames for run in frame.braces.values()):
             text.append("# Of diagonals that do not count in compression each has half its area, as in the building.")

@@ -70,7 +70,7 @@ def _left_in_building(project: AnalysisFile) -> list[str]:
     without = project.frame.left_in_building if isinstance(project, Project) else ()
     if not without:
         return []
-    return [f"frame.left_in_building: the building has {'; '.join(without)} too; analyses of the frame are without"]
+    return [f"frame.left_in_building: the building has {', '.join(without)} too; analyses of the frame are without"]
 
 
 def _still_warnings(projects: Iterable[AnalysisFile]) -> list[str]:

@@ -81,7 +81,8 @@ def test_factors_that_count_are_reported_and_not_defaults(tmp_path: Path) -> Non
     assert re.match(r"gamma_M0 = 1.05, gamma_M1 = 1.05, gamma_G = ", rows["Partial factors"])
     assert rows["Overstrength"] == "gamma_ov = 1.2"
     assert rows["National values"] == (
-        "gamma_M0, gamma_M1, gamma_G, gamma_Q, nu: of greece, but where `hazard: national` states them"
+        "gamma_M0, gamma_M1, gamma_G, gamma_Q, nu: National Annex of Greece; recommended ones where its data file says "
+        "nothing, but where `hazard: national` states them"
     )
 
 

@@ -74,13 +74,25 @@ def test_another_code_has_another_number_of_motions_for_the_mean() -> None:
 def test_what_dampers_bring_beyond_1_is_told() -> None:
     table = use_in_short(sets(7), None)
     texts = [[cell.strip() for cell in row] for row in table.texts]
-    assert texts[1] == ["damped, DBE", "1.10", "C_B_1", "0.40", "B_1_1", "50.0", "400"]
+    assert texts[1] == ["damped, DBE", "1.10", "C_B_1", "1", "0.40", "B_1_1", "0", "50.0", "400"]
     assert "damped, DBE: dampers bring columns beyond 1: C_B_1 1.10 (without 0.90)" in table.notes
     assert any("mean of 7 motions (EN 1998-1:2004, 4.3.3.4.3(3))" in note for note in table.notes)
     assert not any("bare, DBE" in note for note in table.notes)
     beyond = [one for one in use_tables(sets(7), None) if one.name == "members_beyond_1"]
     assert [row[:4] for row in beyond[0].texts] == [["column", "1", "C_B_1", "1.10"]] and len(beyond) == 1
     assert beyond[0].column("without dampers") == pytest.approx([0.9])
+
+
+def test_of_many_sets_a_summary_has_the_worst_level_of_each_variant() -> None:
+    """Seven levels of `damped`, of which the last has 1.4 times the use of the first: a row each for two variants."""
+    groups = {"bare.DBE.r1": history(1, "bare", [0.7, 0.9, 0.5])}
+    for level in range(7):
+        one = history(1, "damped", [0.7 + 0.1 * level, 0.9, 0.4])
+        one.attributes["level"] = f"L{level}"
+        groups[f"damped.L{level}.r1"] = one
+    table = use_in_short(history_sets(groups), None)
+    assert [row[0].strip() for row in table.texts] == ["bare, DBE", "damped, L6"]
+    assert "worst level of each variant" in " ".join(table.notes)
 
 
 def test_reactions_for_the_foundation_engineer() -> None:

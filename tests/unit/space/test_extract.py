@@ -133,8 +133,8 @@ def test_a_frame_that_leans_and_the_lever_rule() -> None:
     assert "Not all floors are diaphragms" in project_text(frame_row(loose, space_frame(loose), "YA"))
 
 
-def test_live_loads_of_several_categories_are_multiplied_with_their_psi_2() -> None:
-    """Two floors: B with 0.3 on the first, snow with 0 on the second."""
+def test_live_loads_of_several_categories_count_by_their_psi_2() -> None:
+    """Two floors: B with 0.3 on the first, snow with 0 on the second. Q of B stays the characteristic value."""
     areas = (
         "areas: [{floors: 1, G: 4 kN/m^2, Q: 2 kN/m^2, category: B, spans: x}, {floors: 2, G: 3 kN/m^2, Q: 1 kN/m^2, "
     )
@@ -142,9 +142,9 @@ def test_live_loads_of_several_categories_are_multiplied_with_their_psi_2() -> N
         "category: B, spans: x}]\nm", "category: snow, spans: x}]\nm"
     )
     project = extracted(building(text, ("from_loads: {}", "from_loads: {Q: {B: 0.3, snow: 0}}")), "X2")
-    assert project.loads.gravity == Combination(G=1.0, Q=1.0)
+    assert project.loads.gravity == Combination(G=1.0, Q=0.3)
     loads = node_loads(project, Q)
-    assert loads["B2.1"] == pytest.approx(0.3 * 50e3, rel=DIGITS) and "B2.2" not in loads
+    assert loads["B2.1"] == pytest.approx(50e3, rel=DIGITS) and "B2.2" not in loads
 
 
 def test_what_the_building_says_of_its_analyses() -> None:
@@ -169,7 +169,10 @@ def test_a_frame_says_that_it_lacks_dampers_and_isolators() -> None:
     assert "# The building has dampers, tuned masses too, which are not in this file." in head(DAMPED)
     said = "# The frame stands on its supports. The building has isolators too, which are not in this file."
     assert said in head(SMALL + isolation)
-    assert "ampers" not in head(SMALL)
+    assert "ampers" not in head(SMALL) and "left_in_building" not in head(SMALL)
+    wind = "cases: {w: {category: wind, floors: [{floors: 1, x: 10 kN}]}}"
+    frame = extracted(building(SMALL, ("loads:\n", f"loads:\n  {wind}\n")), "X2").frame
+    assert frame.left_in_building == ("own load cases (w)",)
 
 
 def test_gravity_loads_of_analyses() -> None:

@@ -73,7 +73,7 @@ def test_the_study_of_a_building_by_ntc_2018(tmp_path: Path) -> None:
     """
     study = study_of(tmp_path, ntc())
     drift, residual = study.criteria
-    assert (drift.levels, drift.most, drift.statistic) == (("SLD",), pytest.approx(0.0075), "ntc2018")
+    assert (drift.levels, drift.most, drift.statistic) == (("SLD",), pytest.approx(0.0075), "code")
     assert residual.levels == ("SLV",) and study.objectives == ()
     design = study.designs["dampers"]
     assert isinstance(design, StrainEnergyDesign) and design.verify is not None
