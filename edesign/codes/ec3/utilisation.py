@@ -408,6 +408,8 @@ def _parts(steady: float, alternating: float, of: int) -> str:
 
 
 def _digits(value: float) -> str:
+    if value == 0.0:
+        return "0"
     return f"{value:#.4g}".rstrip(".") if abs(value) < 1e4 else f"{value:.0f}"
 
 

@@ -19,7 +19,7 @@ from edesign.report.building.tables import Worst, worst_of_groups
 from edesign.report.tables.cell import Marked, Quantity, Value
 from edesign.report.tables.column import Column, col, count, formula, text
 from edesign.report.tables.number import finite, significant
-from edesign.report.tables.table import Table, TableSpec
+from edesign.report.tables.table import ROUNDING, Table, TableSpec
 from edesign.report.tables.unit import ONE, Unit
 
 SAME = 1e-6
@@ -228,12 +228,40 @@ def effects_table(results: BuildingResults, member: int, check: int) -> Table:
     ]
     signs = {str(case): "" for case in results.values("forces", "case")}
     signs |= {f"E_{axis}": "+-" for axis in results.values("forces", "axis")}
+    combination = int(results.values("members", "combination")[member, check])
+    leaves = _leave_out(results, combination - 1) if combination else frozenset()
+    notes = ["S: sway imperfections; those of other combinations are left out."] if leaves else []
+    notes += _of_one_sense(results, member)
     rows: list[dict[str, Value]] = [
         {"action": action}
         | {force: Marked(value, before=sign if value else "") for force, value in zip(forces, values, strict=True)}
         for (action, sign), values in zip(signs.items(), every.tolist(), strict=True)
+        if action not in leaves
     ]
-    return FORCES.of(rows, more=columns, whose=name, place=place)
+    return FORCES.of(rows, more=columns, notes=notes, whose=name, place=place)
+
+
+def _leave_out(results: BuildingResults, combination: int) -> frozenset[str]:
+    """The cases of sway imperfections, and of their second order, that a combination has not."""
+    factors = results.values("combinations", "static")[combination]
+    names = map(str, results.values("forces", "case"))
+    return frozenset(
+        name
+        for name, factor in zip(names, factors, strict=True)
+        if factor == 0.0 and name.startswith(("S_x", "S_y", "P_Delta"))
+    )
+
+
+def _of_one_sense(results: BuildingResults, member: int) -> list[str]:
+    """What the forces of a brace are that does not count in compression."""
+    group = str(results.values("members", "group")[member])
+    runs = results.building.braces if results.building is not None else ()
+    if not any(run.group == group and not run.in_compression for run in runs):
+        return []
+    return [
+        "Of the pair the brace in tension carries all (EN 1998-1, 6.7.2(2)P): E and S are twice those of the model, "
+        "with both signs; own load cases have it in one sense, and 0 in the other."
+    ]
 
 
 def member_data(results: BuildingResults, name: str) -> dict[str, object]:
@@ -307,4 +335,8 @@ def forces_along(results: BuildingResults, member: int, combination: int) -> For
         alternating = np.sqrt(np.tensordot(factors**2, seismic**2, 1))
     else:
         alternating = np.tensordot(factors, seismic, 1)
+    moments = np.array([str(of).startswith(("M", "T")) for of in results.values("forces", "force")])
+    top = np.where(moments, *(np.abs([steady[:, of], alternating[:, of]]).max() for of in (moments, ~moments)))
+    steady = np.where(np.abs(steady) < ROUNDING * top, 0.0, steady)
+    alternating = np.where(np.abs(alternating) < ROUNDING * top, 0.0, alternating)
     return ForcesAlong(results.values("forces", "station"), steady, alternating)

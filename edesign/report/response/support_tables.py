@@ -9,6 +9,7 @@ from edesign.assess.sets import HistorySet
 from edesign.ground_motion.hazard import rules_in_force
 from edesign.project.actions.hazard_base import Hazard
 from edesign.report.assessment.measure_tables import label
+from edesign.report.response.use_tables import NOTHING
 from edesign.report.tables.column import Column, col, text
 from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.text import wrapped
@@ -51,4 +52,6 @@ def support_tables(sets: Iterable[HistorySet], hazard: Hazard | None) -> Iterato
 
 
 def _of(symbol: str, axis: str, at: int) -> Column[SupportForces]:
-    return col(f"{symbol}{axis}", KN if symbol == "H" else KN_M, lambda row: getattr(row, symbol)[at], 4)
+    return col(
+        f"{symbol}{axis}", KN if symbol == "H" else KN_M, lambda row: getattr(row, symbol)[at], 4, negligible=NOTHING
+    )

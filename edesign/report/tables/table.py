@@ -11,6 +11,7 @@ table = PERIODS.of(modes, analysis=name)
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Generic
@@ -24,6 +25,10 @@ Row = tuple[Value, ...]
 """An item that is the values of its row, where no object has them."""
 MORE: Column[Any] = Column("...")
 """Stands in a declaration where the columns are that only one table has; without it they are the last."""
+
+
+ROUNDING = 1e-12
+"""Of the largest quantity of a unit in a table: what sums of thousands of doubles, of 2.2e-16 each, leave of zero."""
 
 
 @dataclass
@@ -64,8 +69,22 @@ class Table:
 
     @property
     def texts(self) -> list[list[str]]:
-        """The rows as people read them."""
-        return [[c.text(value) for c, value in zip(self.columns, row, strict=True)] for row in self.rows]
+        """The rows as people read them; what is rounding beside the largest quantity of its unit is 0."""
+        least = self._rounding()
+        return [
+            ["0" if _is_rounding(value, least[i]) else c.text(value) for i, (c, value) in enumerate(pairs)]
+            for pairs in (list(zip(self.columns, row, strict=True)) for row in self.rows)
+        ]
+
+    def _rounding(self) -> list[float]:
+        """For each column the magnitude below which a value is rounding; 0: it has no unit, or no numbers."""
+        largest: dict[str, float] = {}
+        units = [c.unit.name if isinstance(c.unit, Unit) and c.kind == "number" else "" for c in self.columns]
+        for row in self.rows:
+            for unit, value in zip(units, row, strict=True):
+                if unit and isinstance(value, float) and math.isfinite(value):
+                    largest[unit] = max(largest.get(unit, 0.0), abs(value))
+        return [ROUNDING * largest.get(unit, 0.0) for unit in units]
 
     def column(self, name: str) -> list[Value]:
         """Return the values of a column by its name in files."""
@@ -84,6 +103,10 @@ class Table:
 
     def _repr_html_(self) -> str:
         return table_html(self.title, self.headers, self.texts, self.notes, self.keys)
+
+
+def _is_rounding(value: Value, least: float) -> bool:
+    return isinstance(value, float) and 0.0 < abs(value) < least
 
 
 def state_of(value: Value) -> State:

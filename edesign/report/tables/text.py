@@ -316,8 +316,9 @@ def folded(table: Printed, width: int) -> list[Printed]:
 
 def _telling_apart(table: Printed, widths: list[int], room: int) -> list[int]:
     """The first columns, of those at the left, by which no two rows are alike; the first where that takes much room."""
+    rows = [row for row in table.rows if any(row[: table.left])]  # without the further lines of broken cells
     for count in range(1, max(1, table.left) + 1):
-        alike = len({tuple(row[:count]) for row in table.rows}) < len(table.rows)
+        alike = len({tuple(row[:count]) for row in rows}) < len(rows)
         if not alike and 2 * sum(widths[:count]) <= room:
             return list(range(count))
     return [0]
