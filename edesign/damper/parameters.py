@@ -16,7 +16,15 @@ from edesign.project.notation.temperature import parse_temperature
 from edesign.project.notation.units import parse_quantity, parse_ratio
 from edesign.project.reading.problems import MOST_SHOWN, did_you_mean, listed
 
-__all__ = ["PARAMETER_SETS", "ParameterError", "ParameterSet", "parameter_set", "read_parameters", "write_parameters"]
+__all__ = [
+    "PARAMETER_SETS",
+    "ParameterError",
+    "ParameterSet",
+    "coefficient_in_words",
+    "parameter_set",
+    "read_parameters",
+    "write_parameters",
+]
 
 _EXPONENT = re.compile(r"\^([A-Za-z_]\w*)")  # a parameter as exponent in the unit of another
 _BASE = re.compile(r"\b(?:N|m|Pa)\b")
@@ -158,6 +166,23 @@ def write_parameters(law: Law, values: Mapping[str, float]) -> dict[str, str]:
         name: f"{complete[name] / one:.{_DIGITS}g} {unit}".rstrip()
         for name, (one, unit) in practical_units(law, complete).items()
     }
+
+
+DASHPOTS = ("viscous", "viscous_power")
+"""Laws whose size is their coefficient c."""
+
+
+def coefficient_in_words(c: float, alpha: float = 1.0) -> str:
+    """Return the coefficient of a dashpot in the one unit that reports have: `649.4 kN (s/m)^0.5`.
+
+    Args:
+        c: N (s/m)^alpha.
+        alpha: power of the velocity.
+    """
+    exponent = "" if alpha == 1.0 else f"^{alpha:g}"
+    kilo = c / 1e3
+    number = f"{kilo:.4g}" if abs(kilo) < 1e4 else f"{kilo:.0f}"
+    return f"{number} kN (s/m){exponent}"
 
 
 def practical_units(law: Law, values: Mapping[str, float]) -> dict[str, tuple[float, str]]:

@@ -73,7 +73,7 @@ def test_devices_to_order(archive: Path) -> None:
         history = opened.group("analyses/upper.DBE.motion")
         design = opened.group("designs/oil")
     table, order = (
-        tables["Largest values of one damper, estimated and in histories"],
+        tables["Largest values of one damper, design oil"],
         tables["Devices to order, design oil"],
     )
     assert [row[0] for row in table.rows] == ["estimate", "damped, DBE", "upper, DBE"] * 3

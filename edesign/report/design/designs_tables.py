@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from edesign.archive.reader import Archive
 from edesign.assess.sets import HistorySet
@@ -30,7 +31,8 @@ def designs_tables(archive: Archive, study: Study | None, sets: Sequence[History
     for name in archive.names(DESIGNS):
         factors = {} if study is None else property_factors_of(study, name)
         raised = OrderFactors() if study is None else order_factors_of(study, name)
-        tables += design_tables(archive.group(f"{DESIGNS}/{name}"), sets, factors, hazard, raised)
+        found = design_tables(archive.group(f"{DESIGNS}/{name}"), sets, factors, hazard, raised)
+        tables += [replace(table, owner=name) for table in found]
     return tables
 
 

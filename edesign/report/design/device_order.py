@@ -67,7 +67,7 @@ def _largest(header: str, unit: Unit, name: str) -> tuple[Column[_Device], Colum
     )
 
 
-LARGEST = "Largest values of one damper, estimated and in histories"
+LARGEST = "Largest values of one damper"
 _Wanted = tuple[tuple[str, Unit, str], ...]
 """Header, unit and name of the values that a damper of a kind has to have."""
 
@@ -96,7 +96,7 @@ def _specs(
         ),
         TableSpec(
             f"largest_values_of_{kind}",
-            LARGEST,
+            f"{LARGEST}, design {{design}}",
             (text("", "whose"), *named, *sizes, *both, *factored),
             named_as="largest_values_of_a_damper",
         ),
@@ -212,7 +212,7 @@ def devices_tables(
     said = [*[governs] * bool(governs), *_order_notes(found, rules), *with_factors, *_device_notes(group)]
     return [
         order.of(ordered, units=units, notes=said, design=design),
-        largest.of(devices, units=units, notes=[*_notes(group, found), *bounds, *with_factors]),
+        largest.of(devices, design=design, units=units, notes=[*_notes(group, found), *bounds, *with_factors]),
     ]
 
 

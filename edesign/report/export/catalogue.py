@@ -14,7 +14,7 @@ from edesign.project.reading.problems import did_you_mean, listed
 from edesign.report.archive.document import page_of
 from edesign.report.archive.tables import details, overview
 from edesign.report.export.export_table import ExportTable, as_one, export_table
-from edesign.report.export.names import table_names, unique_names
+from edesign.report.export.names import slug, table_names, unique_names
 from edesign.report.export.value_tables import value_tables
 from edesign.report.html.render import Page
 from edesign.report.html.section import Facts, Folded, Heading, Part, Warnings
@@ -75,7 +75,17 @@ def named_tables(given: Sequence[tuple[str, Table]]) -> list[ExportTable]:
             whole[f"each {table.each[0]}"] = (table.each[0], as_one(table.each[0], alike[table.each[0]]))
     titled = list(whole.values())
     names = table_names([title for title, _ in titled], [table.name for _, table in titled])
-    return [export_table(name, table, title) for name, (title, table) in zip(names, titled, strict=True)]
+    return [
+        replace(export_table(name, table, title), sheet=_sheet(name, table))
+        for name, (title, table) in zip(names, titled, strict=True)
+    ]
+
+
+def _sheet(name: str, table: Table) -> str:
+    """The name of its sheet: the design or variant first, as the end is cut."""
+    owner = slug(table.owner) if table.owner else ""
+    own = table.name or name
+    return f"{owner}_{own}" if owner and owner not in own.split("_") else own if owner else name
 
 
 def _page_tables(page: Page) -> Iterator[tuple[str, Table]]:

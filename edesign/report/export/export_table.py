@@ -56,6 +56,7 @@ class ExportTable:
         columns: each with as many values.
         notes: lines below.
         left: number of columns, from the first, that name the rows.
+        sheet: its name in a workbook, before it is cut; "": `name`.
     """
 
     name: str
@@ -63,6 +64,7 @@ class ExportTable:
     columns: tuple[ExportColumn, ...]
     notes: tuple[str, ...] = field(default=())
     left: int = 1
+    sheet: str = ""
 
     @property
     def rows(self) -> int:

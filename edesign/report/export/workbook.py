@@ -13,7 +13,7 @@ from edesign.archive.files import write_whole
 from edesign.errors import InputError
 from edesign.report.archived import input_checksum
 from edesign.report.export.export_table import ExportColumn, ExportTable
-from edesign.report.export.names import unique_names
+from edesign.report.export.names import slug, unique_names
 from edesign.report.tables.visible import visible
 
 if TYPE_CHECKING:
@@ -70,7 +70,8 @@ def write_workbook(tables: Sequence[ExportTable], facts: Mapping[str, str], path
 def sheet_names(names: Sequence[str]) -> list[str]:
     """Return names of sheets: of at most 31 letters, no two the same in any case of letters, none of our own sheets."""
     history = "history"  # a name that Excel keeps for itself
-    return unique_names(names, taken=(CONTENTS, PROVENANCE, history), longest=_SHEET)
+    whole = [slug(name, _SHEET) if len(name) > _SHEET else name for name in names]
+    return unique_names(whole, taken=(CONTENTS, PROVENANCE, history), longest=_SHEET)
 
 
 def number_format(text: str) -> str:
@@ -91,7 +92,7 @@ def _fill(book: Workbook, tables: Sequence[ExportTable], facts: Mapping[str, str
     # no clock of ours: the same archive gives the same workbook
     book.set_properties({"title": facts.get("title", ""), "created": _created(facts), "comments": _origin(facts)})
     bold, link = book.add_format({"bold": True}), book.get_default_url_format()
-    names = sheet_names([table.name for table in tables])
+    names = sheet_names([table.sheet or table.name for table in tables])
     contents = book.add_worksheet(CONTENTS)
     _text(contents, 0, 0, facts.get("title", "") or facts.get("archive", ""), bold)
     for column, header in enumerate(("table", "title", "rows", "columns")):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -119,6 +119,9 @@ CONNECTIONS = TableSpec[_Demand](
 )
 
 
+GOVERNING = replace(CONNECTIONS, name="governing_connection_forces")
+
+
 def connections_of(frame: FrameModel, device: Device) -> tuple[Connection, ...]:
     """Return the connections of a damper with the forces on them of a damper that pulls with 1.
 
@@ -208,7 +211,8 @@ def connection_tables(
         notes = _notes(rules, factors, named, governing)
         of = f", {variant}" if variant else ""
         largest = ", largest of each storey" if governing else ""
-        tables.append(CONNECTIONS.of(rows, notes=notes if rows else [], of=of, governing=largest))
+        spec = GOVERNING if governing else CONNECTIONS
+        tables.append(spec.of(rows, notes=notes if rows else [], of=of, governing=largest, owner=variant))
     return [table for table in tables if table.rows]
 
 

@@ -12,6 +12,7 @@ from edesign.assess.sets import HistorySet
 from edesign.codes.motion_sets import SetRules
 from edesign.codes.rule_check import with_standard
 from edesign.damper.laws import LAWS
+from edesign.damper.parameters import DASHPOTS, coefficient_in_words
 from edesign.frame.devices import Device, DeviceSize
 from edesign.ground_motion.hazard import rules_in_force
 from edesign.project.analysis_file import AnalysisFile
@@ -33,7 +34,6 @@ QUANTITIES = (  # header, how it is called below, name, unit
     ("strain", "strain", "damper_strain", PERCENT),
     ("v", "velocity", "velocity", M_S),
 )
-_ALONG = {"viscous": "c", "viscous_power": "c"}
 
 SCHEDULE = TableSpec[Row](
     "damper_schedule",
@@ -168,7 +168,7 @@ def _schedule(variant: str, alike: Sequence[_Alike], project: AnalysisFile) -> T
     ):
         notes.append("The stiffness of a brace follows from its section and length.")
     total = ("total", "", "", "", places, number, "", "")
-    return SCHEDULE.of([*rows, total], notes=notes, of=f", {variant}" if variant else "")
+    return SCHEDULE.of([*rows, total], notes=notes, of=f", {variant}" if variant else "", owner=variant)
 
 
 def _size(device: Device) -> str:
@@ -178,10 +178,9 @@ def _size(device: Device) -> str:
         return f"core of {significant(brace.area / size.number / MM2.si)} mm2"
     if device.layer_thickness is not None:
         return _layers(device.size, device.layer_thickness)
-    if law.law in _ALONG and not law.effects:
+    if law.law in DASHPOTS and not law.effects:
         c, alpha = (*law.values, 1.0)[:2]
-        exponent = "" if alpha == 1.0 else f"^{alpha:g}"
-        return f"c = {significant(c * size.scale / KN.si)} kN (s/m){exponent}"
+        return f"c = {coefficient_in_words(c * size.scale, alpha)}"
     if law.law == "friction_pendulum":  # scaled to the weight that it stands under
         return f"weight {significant(device.force_scale / size.number * law.values[0] / KN.si)} kN"
     return "as the law" if size.scale == 1.0 else f"{significant(size.scale)} times the law"
@@ -274,7 +273,9 @@ def _factored(
         "F is of one damper, factored by its law at the factored stroke and velocity.",
         "For this, a velocity that was not kept is the pseudo velocity of the first mode.",
     ]
-    return FACTORED.of(sorted(rows, key=lambda row: str(row[0])), notes=notes, of=f", {variant}" if variant else "")
+    return FACTORED.of(
+        sorted(rows, key=lambda row: str(row[0])), notes=notes, of=f", {variant}" if variant else "", owner=variant
+    )
 
 
 def _governs(found: Demand | None, rules: SetRules) -> float | None:
@@ -307,7 +308,9 @@ def _required(variant: str, alike: Sequence[_Alike], asked: _Found, frames: Vari
             rows.append((*group.at, group.law, label, *cells, of, ", ".join(governs)))
     notes = [*_notes(single, len(counts) > 1, rules), *_velocity_notes(found, alike)] if rows else []
     without = ("governs",) if len(counts) < 2 else ()
-    return REQUIRED.of(rows, more=columns, without=without, notes=notes, of=f", {variant}" if variant else "")
+    return REQUIRED.of(
+        rows, more=columns, without=without, notes=notes, of=f", {variant}" if variant else "", owner=variant
+    )
 
 
 def _notes(single: bool, levels: bool, rules: SetRules) -> list[str]:

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from edesign.damper.law import Law
 from edesign.damper.laws import LAWS
-from edesign.damper.parameters import write_parameters
+from edesign.damper.parameters import DASHPOTS, coefficient_in_words, write_parameters
 from edesign.frame.devices import DeviceLaw
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.dampers import DamperLaw
@@ -67,7 +67,10 @@ def _table(name: str, values: DeviceLaw, temperature: float | None, project: Ana
     rows: list[Row] = []
     for parameter in parameters:
         value, _, unit = written[parameter.name].partition(" ")
-        rows.append((parameter.name, f"{_short(value)} {unit}".strip(), parameter.meaning))
+        text = f"{_short(value)} {unit}".strip()
+        if law.name in DASHPOTS and parameter.name == "c":
+            text = coefficient_in_words(by_name["c"], by_name.get("alpha", 1.0))
+        rows.append((parameter.name, text, parameter.meaning))
     at = "" if temperature is None else f" at {temperature:g} °C"
     return PARAMETERS.of(rows, notes=_notes(law, values, spec), law=name, of=of, title=law.title, at=at)
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from edesign.damper.laws import LAWS
 from edesign.damper.parameter_sets import PARAMETER_SETS
+from edesign.damper.parameters import DASHPOTS, coefficient_in_words, read_parameters
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.dampers import (
     AnyChosenBrace,
@@ -107,8 +108,17 @@ def device_size(project: AnalysisFile, device: DamperRun | DamperBetween | AnyBa
         parts += [f"{device.layers} layers"] if device.layers is not None else []
         parts += [f"layer {_area(area)}"] if area is not None else []
         parts += [f"{_millimetres(device.layer_thickness)} thick"] if device.layer_thickness is not None else []
-    parts += [f"forces × {short(scale)}"] if scale is not None else []
+    if scale is not None:
+        parts.append(_scaled(law, scale))
     return ", ".join(parts)
+
+
+def _scaled(law: DamperLaw | None, scale: float) -> str:
+    """The coefficient of a dashpot with a factor on its forces; of other laws the factor."""
+    if law is None or law.type not in DASHPOTS or law.parameters is None or law.effects:
+        return f"forces × {short(scale)}"
+    values = read_parameters(LAWS[law.type], law.parameters)
+    return f"c = {coefficient_in_words(scale * values['c'], values.get('alpha', 1.0))}"
 
 
 def brace_words(device: DamperRun | DamperBetween, index: int = 0) -> str:

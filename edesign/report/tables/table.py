@@ -48,6 +48,7 @@ class Table:
         headed: whether its headers are printed.
         formulas: whether headers and notes have symbols of formulas.
         names_kept: whether names of analyses stay as they are, where a page says others in words.
+        owner: design or variant that it is of, where each has such a table; sheets of workbooks begin with it.
     """
 
     title: str
@@ -61,6 +62,7 @@ class Table:
     headed: bool = True
     formulas: bool = False
     names_kept: bool = False
+    owner: str = ""
 
     @property
     def headers(self) -> list[str]:
@@ -169,6 +171,7 @@ class TableSpec(Generic[Item]):
         units: Mapping[str, Unit] | None = None,
         heading: Callable[[Item], str] | None = None,
         whose: str = "",
+        owner: str = "",
         **words: object,
     ) -> Table:
         """Return the table of some items.
@@ -181,6 +184,7 @@ class TableSpec(Generic[Item]):
             units: of columns that leave them open, by their key.
             heading: of an item; where it changes, it stands across the table.
             whose: the analysis or member whose table it is, where each has one; `{whose}` in the title.
+            owner: see `Table`.
             **words: for what is in braces in title, headers and notes.
         """
         words = {"whose": whose, **words}
@@ -210,6 +214,7 @@ class TableSpec(Generic[Item]):
             headed=self.headed and bool(kept),
             formulas=self.formulas or any(column.symbols for column in made),
             names_kept=self.names_kept,
+            owner=owner,
         )
 
 

@@ -12,5 +12,8 @@ from edesign.report.page.source import Source
 def design(source: Source) -> Section:
     """Return the section on the designs: sizes, added damping, rounds, bounds, and devices to order."""
     tables = designs_tables(source.archive, source.study, source.sets)
-    parts = [Folded(f"{one.title} ({len(one.rows)} rows)", (one,)) if one.title == LARGEST else one for one in tables]
+    parts = [
+        Folded(f"{one.title} ({len(one.rows)} rows)", (one,)) if one.title.startswith(LARGEST) else one
+        for one in tables
+    ]
     return Section("design", "Design of the dampers", (), (*parts, *source.pictures(design_figures)))
