@@ -59,7 +59,7 @@ def building_criteria(
     building, frame, q, steel = found.building, found.frame, found.q, found.building.materials
     design = design_of(building)
     rules, gamma_M0 = rules_of(design), design.partial_factors.M0
-    limited = f"q d_r / h under {limit_state_of_drift(class_of_use)}" if class_of_use else "nu d_r / h"
+    limited = f"q d_r / h under {limit_state_of_drift(class_of_use)}, q = 1" if class_of_use else "nu d_r / h"
     criteria = [*modal_criteria(found.modes, rules), *of_regularity]
     criteria += sway_criteria(found.sway, design.imperfections == "sway")
     for axis in AXES:

@@ -73,6 +73,7 @@ RULES = BuildingRules(
     },
     equations={"6.10": "2.5.1", "6.12b": "2.5.5", "6.14b": "2.5.2"},
     words={
+        "Limit of nu d_r/h": "Limit of q d_r/h with q = 1",
         "nu d_r/h": "q d_r/h",
         "EN 1990": TITLE,
         "gamma_Rd Omega": "the factor of the class",

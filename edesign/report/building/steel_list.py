@@ -8,15 +8,19 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from edesign.codes.ec3.section import DENSITY
 from edesign.codes.rule_check import first_of_largest
+from edesign.frame.sections.own_section import section_of
 from edesign.frame.sections.section_lists import family_of
-from edesign.project.building.design import DEFAULT_PRICE
+from edesign.project.building.design import DEFAULT_PRICE, PricesEach
 from edesign.report.building.check_table import check_words, use
 from edesign.report.building.results import MET, NOT_MET, BuildingResults
 from edesign.report.tables.cell import Quantity, Value
 from edesign.report.tables.column import col, count, text, verdict
 from edesign.report.tables.table import Table, TableSpec
+from edesign.report.tables.text import wrapped
 from edesign.report.tables.unit import KG, MM, ONE, M, T, Unit
+from edesign.space.structure.secondary_beams import secondary_beams
 
 STEEL_LIST = TableSpec[dict[str, Value]](
     "steel_list",
@@ -33,9 +37,24 @@ STEEL_LIST = TableSpec[dict[str, Value]](
         col("cost", ONE, digits=5, optional=True),
     ),
     notes=(
-        "Lengths from node to node. Connections, splices, stiffeners and secondary beams are not in the list; weights "
-        "are the area of the section times the density of its steel.",
+        "Lengths from node to node. Connections and stiffeners are in no list; weights are the area of the section "
+        "times the density of its steel.",
     ),
+    keys=3,
+)
+BESIDE = TableSpec[dict[str, Value]](
+    "beside_the_steel_list",
+    "Steel and work beside the steel list",
+    (
+        text("what"),
+        text("section"),
+        text("steel"),
+        count("number"),
+        text("each [m]", "each", name="each"),
+        col("mass", T, digits=4),
+        col("cost", ONE, digits=5, optional=True),
+    ),
+    notes=("Secondary beams with a section; splices where the section of a column changes; doubler plates of panels.",),
     keys=3,
 )
 DOUBLERS = TableSpec[dict[str, Value]](
@@ -106,11 +125,71 @@ def steel_list_table(results: BuildingResults) -> Table:
     whole: dict[str, Value] = {"kind": "all", "number": sum(of.total() for of in pieces.values())}
     whole |= dict.fromkeys(("section", "steel", "each", "length", "per_metre"), "")
     whole |= {"mass": Quantity(masses, T, 4, beside=True), "cost": costs or None}
-    return STEEL_LIST.of([*rows, whole] if rows else [])
+    return STEEL_LIST.of([*rows, whole] if rows else [], notes=wrapped(_beside_in_words(results)) if rows else [])
+
+
+def beside_table(results: BuildingResults) -> Table:
+    """Return what the steel list has not: secondary beams, splices of columns and doubler plates, with their cost."""
+    return BESIDE.of(_beside(results))
+
+
+def _beside_in_words(results: BuildingResults) -> str:
+    """What there is beside the list, with mass and cost."""
+    found: dict[str, list[float]] = {}
+    for row in _beside(results):
+        of = found.setdefault(str(row["what"]), [0.0, 0.0, 0.0])
+        for i, name in enumerate(("number", "mass", "cost")):
+            of[i] += float(str(row[name] or 0.0))
+    texts = [
+        f"{number:.0f} {what}" + (f", {mass / T.si:.4g} t" if mass else "") + (f", cost {cost:.0f}" if cost else "")
+        for what, (number, mass, cost) in found.items()
+    ]
+    return f"Beside it: {'; '.join(texts)}." if texts else ""
+
+
+def _beside(results: BuildingResults) -> list[dict[str, Value]]:
+    """Rows of secondary beams, of splices of columns, and of doubler plates."""
+    building, density = results.building, _densities(results)
+    if building is None:
+        return []
+    alike: dict[tuple[str, str, float], int] = {}
+    for beam in secondary_beams(building):
+        key = beam.section, beam.material, beam.length
+        alike[key] = alike.get(key, 0) + beam.number
+    rows: list[dict[str, Value]] = []
+    for (section, steel, length), number in alike.items():
+        mass = section_of(building, section).A * density.get(steel, DENSITY) * length * number
+        row: dict[str, Value] = {"what": "secondary beams", "section": section, "steel": steel, "number": number}
+        price = _price(results, section)
+        rows.append(row | {"each": f"{length:.2f}", "mass": mass, "cost": None if price is None else mass * price})
+    each = building.design.select.prices_each if building.design is not None else PricesEach()
+    plates = sum(float(str(row["mass"])) for row in _plates(results))
+    work = (
+        ("splices of columns", _splices(results), None, each.splice),
+        ("doubler plates", sum(1 for _ in _doublers(results)), plates, each.doubler),
+    )
+    for what, number, steel_of, price in work:
+        if number:
+            row = {"what": what, "section": "", "steel": "", "number": number, "each": "", "mass": steel_of}
+            rows.append(row | {"cost": None if price is None else number * price})
+    return rows
+
+
+def _splices(results: BuildingResults) -> int:
+    """How many columns have another section than the column below them."""
+    of = [results.values("members", name) for name in ("kind", "section", "start_node", "end_node")]
+    columns = [tuple(map(str, one[1:])) for one in zip(*of, strict=True) if one[0] == "column"]
+    below = {end: section for section, _, end in columns}
+    return sum(below.get(start, section) != section for section, start, _ in columns)
 
 
 def doublers_table(results: BuildingResults) -> Table:
     """Return the doubler plates that the web panels need, alike ones together; no rows where none is needed."""
+    return DOUBLERS.of(_plates(results))
+
+
+def _plates(results: BuildingResults) -> list[dict[str, Value]]:
+    """A row for each kind of doubler plate."""
     found: dict[tuple[str, str, float, float, float], list[str]] = {}
     for node, section, steel, thickness, height in _doublers(results):
         width = results.section(section).h - 2.0 * (results.section(section).tf + results.section(section).r)
@@ -131,7 +210,7 @@ def doublers_table(results: BuildingResults) -> Table:
                 "at": ", ".join(nodes[:NAMED]) + (f" and {more} more" if more > 0 else ""),
             }
         )
-    return DOUBLERS.of(rows)
+    return rows
 
 
 def every_member_table(results: BuildingResults) -> Table:

@@ -22,8 +22,8 @@ from edesign.report.building.foundation_table import foundation_table, persisten
 from edesign.report.building.lateral_tables import drifts_table, lateral_cases_table
 from edesign.report.building.link_tables import link_details_table, links_table
 from edesign.report.building.results import MET, NOT_MET, BuildingResults, Row
-from edesign.report.building.steel_list import doublers_table, every_member_table, steel_list_table
-from edesign.report.tables.cell import Value
+from edesign.report.building.steel_list import beside_table, doublers_table, every_member_table, steel_list_table
+from edesign.report.tables.cell import Rounded, Value
 from edesign.report.tables.column import bounded, col, count, formula, text, verdict
 from edesign.report.tables.number import finite, significant
 from edesign.report.tables.table import Table, TableSpec
@@ -117,14 +117,29 @@ STOREYS = TableSpec[Row](
     formulas=True,
     named_by_title=True,
 )
+
+
+def _of_rule(name: str) -> Callable[[Row], Value]:
+    """The value or the limit of a rule; of one that is not met with the digits that tell them apart."""
+
+    def of(rule: Row) -> Value:
+        shown = bounded(name)(rule)
+        pair = finite(rule["value"]), finite(rule["required"])
+        if shown is None or rule["passed"] != 0 or None in pair or significant(pair[0], 3) != significant(pair[1], 3):
+            return shown
+        return Rounded(told_apart(*pair, significant)[name == "required"], float(shown))
+
+    return of
+
+
 RULES = TableSpec[Row](
     "building_rules",
     "Rules for the building, clauses of EN 1998-1 where no other code is named",
     (
         text("clause"),
         formula("rule", lambda rule: ": ".join(filter(None, (rule["text"], rule["detail"]))), broken=1),
-        col("value", ONE, bounded("value"), 3),
-        col("limit", ONE, bounded("required"), 3),
+        col("value", ONE, _of_rule("value"), 3),
+        col("limit", ONE, _of_rule("required"), 3),
         verdict("", lambda rule: {1: MET, 0: NOT_MET}.get(int(rule["passed"]))),
     ),
     keys=2,
@@ -324,6 +339,7 @@ TABLES: tuple[Make, ...] = (
     link_details_table,
     groups_table,
     steel_list_table,
+    beside_table,
     doublers_table,
     every_member_table,
     deflection_table,

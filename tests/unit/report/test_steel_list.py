@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,11 +13,16 @@ from edesign.archive.reader import open_archive
 from edesign.frame.building_file import load_building
 from edesign.report.building.force_diagrams import along_of, force_diagrams
 from edesign.report.building.results import BuildingResults
-from edesign.report.building.steel_list import doublers_table, every_member_table, steel_list_table
+from edesign.report.building.steel_list import (
+    beside_table,
+    doublers_table,
+    every_member_table,
+    steel_list_table,
+)
 from edesign.report.html.lettering import faults
 from edesign.study.run.building import run_building
 
-PRICED = f"{SMALL}  select: {{objective: cost, prices: {{default: 2, HEB: 3}}}}\n"
+PRICED = f"{SMALL}  select: {{objective: cost, prices: {{default: 2, HEB: 3}}, prices_each: {{doubler: 100}}}}\n"
 
 
 @pytest.fixture(scope="module")
@@ -52,6 +58,22 @@ def test_lengths_weights_and_costs_are_those_of_a_list_by_hand(results: Building
         assert float(row["cost"]) == pytest.approx(price * length * weight, rel=1e-2)  # type: ignore[arg-type]
     whole = sum(length * weight for _, _, length, weight, _ in by_hand.values())
     assert float(table.texts[-1][names.index("mass")]) == pytest.approx(whole / 1e3, rel=1e-3)
+
+
+def test_what_is_beside_the_list_by_hand(tmp_path: Path) -> None:
+    """One beam IPE200 of 5 m in each of 2 x 2 bays and 2 floors: 8 x 5 m x 22.4 kg/m (ArcelorMittal) = 0.896 t."""
+    secondary = "spans: x, secondary_beams: 1, secondary_section: IPE200, secondary_material: S275}]"
+    (tmp_path / "small.yaml").write_text(PRICED.replace("spans: x}]", secondary), encoding="utf-8")
+    with open_archive(run_building(load_building(tmp_path / "small.yaml"))[0]) as archive:
+        results = BuildingResults(archive)
+        table, listed = beside_table(results), steel_list_table(results)
+        panels = int(np.count_nonzero(results.values("panels", "doubler")))
+    beams, plates = table.rows  # no splices: one section all the way up
+    assert beams[:5] == ["secondary beams", "IPE200", "S275", 8, "5.00"]
+    assert beams[5] == pytest.approx(896.0, rel=5e-3)  # the area gives 22.36 kg/m
+    assert float(str(beams[6])) == pytest.approx(2.0 * float(str(beams[5])))
+    assert (plates[0], plates[3], plates[6]) == ("doubler plates", panels, 100.0 * panels) and panels > 0
+    assert "Beside it: 8 secondary beams, 0.89" in " ".join(listed.notes)
 
 
 def test_every_member_stands_in_the_list_with_its_largest_use(results: BuildingResults) -> None:

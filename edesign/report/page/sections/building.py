@@ -32,7 +32,7 @@ from edesign.report.building.link_tables import link_details_table, links_table
 from edesign.report.building.model_figures import archived_building_model
 from edesign.report.building.other_tables import other_tables
 from edesign.report.building.results import BuildingResults
-from edesign.report.building.steel_list import doublers_table, every_member_table, steel_list_table
+from edesign.report.building.steel_list import beside_table, doublers_table, every_member_table, steel_list_table
 from edesign.report.building.tables import (
     base_shear_table,
     criteria_table,
@@ -230,7 +230,7 @@ _SECTIONS: tuple[tuple[str, str, tuple[Parts, ...]], ...] = (
             _table(deflection_table),
         ),
     ),
-    ("steel", "Steel list", (_table(steel_list_table), _table(doublers_table))),
+    ("steel", "Steel list", (_table(steel_list_table), _table(beside_table), _table(doublers_table))),
     ("checks", "Checks of members", (_checks,)),
     (
         "capacity",
