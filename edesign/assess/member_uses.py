@@ -131,6 +131,9 @@ def _bending(found: HistorySet, names: Sequence[str], groups: Sequence[Group], m
             when, forces = when[end], [force[end] for force in forces]
         axial, *others = forces or (np.array(np.nan),) * 3
         axial = np.ravel(axial)
+        if check == BUCKLING and f"{quantity}{_MIDDLE}" in group.variables:
+            middle = np.asarray(group.variables[f"{quantity}{_MIDDLE}"].values)[at]
+            axial = np.concatenate([axial, middle[np.isfinite(middle)]])
         yield LoadedMember(
             name,
             member_kind(name),
@@ -148,6 +151,7 @@ def _bending(found: HistorySet, names: Sequence[str], groups: Sequence[Group], m
 
 
 _PARTS = ("axial_force", "shear_force", "bending_moment")
+_MIDDLE = "_axial_force_middle"
 
 
 def _braces(found: HistorySet, names: Sequence[str], groups: Sequence[Group], mean: bool) -> Iterator[LoadedMember]:

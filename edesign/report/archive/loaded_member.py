@@ -112,7 +112,8 @@ class Followed:
         check: which governs there.
         clause: of it.
         found: its use by the calculation.
-        forces: along the member.
+        forces: along the member; of a check of the section they are known at `stations` alone.
+        stations: numbers of the stations whose forces are of this step.
         steps: of the calculation, which leads to the archived use; none if it does not.
     """
 
@@ -125,6 +126,7 @@ class Followed:
     clause: str
     found: float
     forces: ForcesAlong
+    stations: tuple[int, ...]
     steps: tuple[Step, ...]
 
 
@@ -144,10 +146,7 @@ def loaded_member_tables(archive: Archive, name: str, analysis: str | None = Non
     said += ["Below: the analysis with the largest; another one by --analysis."] if len(rows) > 1 else []
     notes = wrapped(" ".join(said))
     at = f"{followed.at:.4g} {followed.unit}".strip()
-    places = [
-        _Place(float(place), tuple(forces))
-        for place, forces in zip(followed.forces.stations, followed.forces.steady.tolist(), strict=True)
-    ]
+    places = [_Place(float(place), tuple(forces)) for place, forces in zip(*_known(followed), strict=True)]
     forces = CONCURRENT.of(places, whose=name, history=followed.history, at=at)
     return [UNDER.of(rows, whose=name, notes=notes), forces, _calculation(followed, at)]
 
@@ -155,7 +154,8 @@ def loaded_member_tables(archive: Archive, name: str, analysis: str | None = Non
 def loaded_member_data(archive: Archive, name: str, analysis: str | None = None) -> dict[str, object]:
     """Return what `loaded_member_tables` has, for JSON in SI units; errors as those."""
     rows, followed = _of_member(archive, name, analysis)
-    forces = {force: followed.forces.steady[:, i].tolist() for i, force in enumerate(FORCES) if force != "T"}
+    stations, steady = _known(followed)
+    forces = {force: steady[:, i].tolist() for i, force in enumerate(FORCES) if force != "T"}
     return {
         "member": name,
         "uses": [
@@ -175,9 +175,15 @@ def loaded_member_data(archive: Archive, name: str, analysis: str | None = None)
         "check": followed.check,
         "clause": followed.clause,
         "utilisation": finite(followed.archived),
-        "forces": {"x_over_L": followed.forces.stations.tolist(), **forces},
+        "forces": {"x_over_L": stations.tolist(), **forces},
         "calculation": worked_data(_worked(followed)),
     }
+
+
+def _known(followed: Followed) -> tuple[np.ndarray, np.ndarray]:
+    """Stations and the forces there that act together."""
+    at = list(followed.stations)
+    return followed.forces.stations[at], followed.forces.steady[at]
 
 
 def _of_member(archive: Archive, name: str, analysis: str | None) -> tuple[list[_Row], Followed]:
@@ -271,6 +277,7 @@ def follow(file: AnalysisFile, group: Group, history: str, name: str) -> Followe
         CLAUSES[check],
         found[check],
         forces,
+        (station,) if quantity == "section_use" else tuple(range(len(STATIONS))),
         tuple(trace.steps) if same else (),
     )
 
@@ -293,6 +300,11 @@ def _forces(member: CheckedMember, group: Group, quantity: str, at: int) -> Forc
     axes = ("y", "z") if V.shape[1] == 2 else ("z",) if member.weak else ("y",)
     along = {"y": "V_z", "z": "V_y"}
     steady[:, 0] = _between(N)
+    middle = f"{quantity}_axial_force_middle"
+    if middle in group.variables and np.isfinite(sides := _of(group, middle)[at]).all():
+        halves = (N[0], 2.0 * sides[0] - N[0]), (2.0 * sides[1] - N[1], N[1])
+        first, second = (_between(np.array(half)) for half in halves)
+        steady[:, 0] = np.where(STATIONS < 0.5, first, np.where(STATIONS > 0.5, second, np.minimum(first, second)))
     for i, axis in enumerate(axes):
         load = inside[:, i] if inside.shape[1] > i else 0.0
         steady[:, FORCES.index(f"M_{axis}")] = _between(M[:, i]) + load

@@ -208,14 +208,27 @@ def _collectors(frame: SpaceFrame, braces: np.ndarray, cosine: np.ndarray) -> tu
         if not pull.any():
             continue
         places = np.concatenate([[0.0], np.cumsum(frame.length[run])])
-        from_floor = -pull.sum(axis=0) / places[-1]
-        before = np.cumsum(pull, axis=0)
-        for k, number in enumerate(run):
-            x = places[k] + STATIONS * frame.length[number]
+        for number, (start, end) in zip(run, axial_by_pulls(pull, places), strict=True):
             collectors.append(number)
-            rows.append(-(before[k] + x[:, None] * from_floor))
+            rows.append(start + STATIONS[:, None] * (end - start))
     stacked = np.concatenate(rows) if rows else np.zeros((0, braces.size))
     return np.array(collectors, dtype=int), stacked
+
+
+def axial_by_pulls(pull: np.ndarray, places: np.ndarray) -> np.ndarray:
+    """Return the axial forces of joined beams under pulls at their nodes, which the floor holds evenly along them.
+
+    Args:
+        pull: (n, k) horizontal force on each node along the beams in k cases, N.
+        places: (n,) of the nodes along the beams, which rise, m.
+
+    Returns:
+        (n - 1, 2, k) N at the start and the end of each stretch between nodes, tension positive.
+    """
+    along = (places - places[0])[:, None]
+    total, before = pull.sum(axis=0), np.cumsum(pull, axis=0)[:-1]
+    from_floor = -total / along[-1]
+    return -np.stack([before + along[:-1] * from_floor, before + along[1:] * from_floor], axis=1)
 
 
 def joined_beams(frame: SpaceFrame) -> Iterator[list[int]]:

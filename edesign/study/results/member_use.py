@@ -17,9 +17,10 @@ from edesign.project.analysis_file import AnalysisFile
 from edesign.space.analysis.response import STATIONS
 from edesign.space.checks.member_checks import LARGEST_CLASS
 from edesign.study.results.checked_members import CheckedMember, checked_members, moments_inside
+from edesign.study.results.collectors import Collectors
 from edesign.study.results.coordinates import bending_members
 from edesign.study.results.largest_use import Buckling, Forces, Largest, Sections
-from edesign.study.results.recording import SINGLE, by_axis, coordinate
+from edesign.study.results.recording import SINGLE, Quantity, by_axis, coordinate
 from edesign.study.results.supports import SupportExtremes
 from edesign.study.results.watch import Observer, StepWatch
 
@@ -49,6 +50,7 @@ class MemberUse:
     """
 
     needs = tuple(f"member_{name}" for name, _, _ in _PARTS)
+    own: tuple[Quantity, ...] = ()
 
     def __init__(self, file: AnalysisFile, frame: FrameModel) -> None:
         names = [member.name for member in bending_members(frame)]
@@ -66,24 +68,49 @@ class MemberUse:
         width = 1 + 2 * self._axes
         self._section_use = Largest((len(members), 2), width)
         self._of_members = Buckling(members, (True, False)) if found.stability and members else None
-        self._member_use = Largest((len(members),), 2 * width)
+        self._member_use = Largest((len(members),), 2 * width + 2)
         self._load_moments = np.zeros((len(names), STATIONS.size, self._axes))
         if self._of_members is not None:
             self._load_moments = moments_inside(file, frame, names)
+        self._collectors = Collectors(frame)
+        if self._collectors.quantity is not None:
+            self.own = (self._collectors.quantity,)
+            self.needs = (*self.needs, self.own[0].name)
+        self._collecting = np.array([names.index(beam.name) for beam in self._collectors.beams], dtype=int)
+        shape = len(self._collectors.beams), 2
+        self._axial_max, self._axial_min = np.full(shape, -np.inf), np.full(shape, np.inf)
+        jumping = self._collecting[self._collectors.jumping]
+        self._jumps = np.flatnonzero(self._judged[jumping])  # among beams whose axial force jumps in their middle
+        self._jumping = (np.cumsum(self._judged) - 1)[jumping[self._jumps]]  # their numbers among judged members
         self._loads = self._load_moments[self._judged]
         self._load_tops = np.abs(self._loads).max(axis=1)
 
     def see(self, abscissas: np.ndarray, values: Mapping[str, np.ndarray]) -> None:
         """See further steps; see `Observer`. Of most of them the peaks of each force show that they are not needed."""
+        names = [f"member_{name}" for name, _, _ in _PARTS]
+        every = [values[name].reshape(len(abscissas), self._judged.size, 2, -1) for name in names]
+        middle = np.zeros((len(abscissas), 0, 2))
+        if self.own:
+            every[0], middle = self._with_collected(every[0], values[self.own[0].name])
         if self._ends is None:
             return
-        every = [values[name].reshape(len(abscissas), self._judged.size, 2, -1) for name in self.needs]
         if not self._judged.all():
             every = [of[:, self._judged] for of in every]
         peaks = [np.maximum(of.max(axis=0), -of.min(axis=0)) for of in every]
         self._see_ends(abscissas, [of.reshape(len(of), -1, of.shape[3]) for of in every], peaks)
         if self._of_members is not None:
-            self._see_members(abscissas, every, peaks)
+            self._see_members(abscissas, every, peaks, middle)
+
+    def _with_collected(self, axial: np.ndarray, pulls: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Axial forces on the ends of all members, (n, m, 2, 1), and in the middle of judged beams where they jump."""
+        ends, middle = self._collectors.axial(pulls)
+        found = axial[..., 0].copy()
+        beyond = 0.5 * (found[:, self._collecting] @ _INSIDE)  # in the middle by the model
+        found[:, self._collecting] += ends * _INSIDE
+        of_beams = found[:, self._collecting]
+        np.maximum(self._axial_max, of_beams.max(axis=0), out=self._axial_max)
+        np.minimum(self._axial_min, of_beams.min(axis=0), out=self._axial_min)
+        return found[..., None], (middle + beyond[:, self._collectors.jumping, None])[:, self._jumps]
 
     def _see_ends(self, abscissas: np.ndarray, every: Sequence[np.ndarray], peaks: Sequence[np.ndarray]) -> None:
         assert self._ends is not None
@@ -108,10 +135,20 @@ class MemberUse:
             internal = np.concatenate(forces, axis=1) * _INSIDE[places % 2][:, None]
             largest.see(abscissas[rows], places, ends, acting, internal)
 
-    def _see_members(self, abscissas: np.ndarray, every: Sequence[np.ndarray], peaks: Sequence[np.ndarray]) -> None:
+    def _see_members(
+        self,
+        abscissas: np.ndarray,
+        every: Sequence[np.ndarray],
+        peaks: Sequence[np.ndarray],
+        middle: np.ndarray,
+    ) -> None:
         assert self._of_members is not None
         N, _, M = every
         weak, largest, of_N, of_M = self._weak, self._member_use, peaks[0].max(axis=(1, 2)), peaks[2].max(axis=1)
+        inner = np.zeros((len(abscissas), len(weak), 2)) if self._jumping.size else None
+        if inner is not None:
+            inner[:, self._jumping] = middle
+            np.maximum(of_N, np.abs(inner).max(axis=(0, 2)), out=of_N)
         peak = Forces(of_N, *self._by_axis(of_M + self._load_tops, weak))
         per_N, per_M, reached = self._ceiling(self._of_members, peak, weak)
         inside = (self._load_tops * per_M).sum(axis=1)
@@ -120,6 +157,8 @@ class MemberUse:
             return
         total = np.maximum(_some(N[:, :, 0, 0], chosen), -_some(N[:, :, 1, 0], chosen))
         np.maximum(total, 0.0, out=total)
+        if inner is not None:
+            np.maximum(total, -_some(inner, chosen).min(axis=2), out=total)
         total *= per_N[chosen]
         for axis in range(self._axes):
             start, end = (np.abs(_some(M[:, :, at, axis], chosen)) for at in range(2))
@@ -129,6 +168,9 @@ class MemberUse:
             tops, members = self._largest_moments(forces[2], places), self._of_members.of(places)
             compression = np.maximum(forces[0][:, 0, 0], -forces[0][:, 1, 0])
             internal = (np.concatenate(forces, axis=2) * _INSIDE[:, None]).reshape(len(rows), -1)
+            beside = np.zeros((len(rows), 2)) if inner is None else inner[rows, places]
+            compression = np.maximum(compression, -beside.min(axis=1))
+            internal = np.concatenate([internal, beside], axis=1)
             acting = Forces(compression, *self._by_axis(tops, weak[places]))
             largest.see(abscissas[rows], places, members, acting, internal)
 
@@ -165,6 +207,12 @@ class MemberUse:
 
     def store(self, group: Group, abscissa: str, unit: str) -> None:
         """Add the largest uses, where they occur and the forces there to the group; see `Observer`."""
+        if self.own:
+            coordinate(group, "collector", [beam.name for beam in self._collectors.beams], "", "beam that collects")
+            for which, of in (("max", self._axial_max), ("min", self._axial_min)):
+                variable = group.variables.get(f"member_axial_force_{which}")
+                if variable is not None:
+                    variable.values[self._collecting] = of
         if self._ends is None:
             return
         kinds: list[tuple[str, tuple[str, ...], Largest, str]] = [
@@ -179,13 +227,21 @@ class MemberUse:
             group.add(f"{name}_max", dims, use, "1", f"use of {what}, largest value")
             group.add(f"{name}_at", dims, at, unit, f"{abscissa} of the largest use of {what}")
             forces = np.full((self._judged.size, 2, 1 + 2 * self._axes), np.nan)
-            forces[self._judged] = largest.forces.reshape(-1, *forces.shape[1:])
+            kept = largest.forces[..., : 2 * forces.shape[2]] if name == "member_use" else largest.forces
+            forces[self._judged] = kept.reshape(-1, *forces.shape[1:])
             parts = forces[..., 0], forces[..., 1 : 1 + self._axes], forces[..., 1 + self._axes :]
             for (part, of_part, symbol), values in zip(_PARTS, parts, strict=True):
                 shape = ("member", "end") if symbol == "N" else self._dims
                 label = f"internal force {symbol} at the end of the member with the largest use of {what}"
                 values = values.reshape(*values.shape[: len(shape)]).astype(SINGLE)
                 group.add(f"{name}_{part}", shape, values, of_part, label)
+        if self._of_members is not None and self._jumping.size:
+            sides = np.full((self._judged.size, 2), np.nan)
+            sides[np.flatnonzero(self._judged)[self._jumping]] = self._member_use.forces[self._jumping, -2:]
+            label = (
+                "axial force on both sides of the middle of the beam, where a damper pushes it, with its largest use"
+            )
+            group.add("member_use_axial_force_middle", ("member", "end"), sides.astype(SINGLE), "N", label)
         if self._of_members is not None and self._load_moments.any():
             coordinate(group, "station", STATIONS, "1", "place on the member over its length from the start")
             dims = (*by_axis_of(self._dims),)
@@ -224,6 +280,7 @@ class BraceUse:
     """
 
     needs: tuple[str, ...] = ("brace_axial_force",)
+    own: tuple[Quantity, ...] = ()
 
     def __init__(self, file: AnalysisFile, frame: FrameModel) -> None:
         found = checked_members(file, [member.name for member in frame.of_kind("brace")])

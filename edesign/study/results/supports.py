@@ -165,6 +165,7 @@ class SupportExtremes:
     """
 
     needs = tuple(f"support_{name}" for name in ("vertical_reaction", "horizontal_reaction", "moment"))
+    own: tuple[Quantity, ...] = ()
 
     def __init__(self, frame: FrameModel) -> None:
         self._in_space = frame.model.dimension == 3

@@ -17,9 +17,11 @@ class Observer(Protocol):
 
     Attributes:
         needs: names of the quantities that it sees.
+        own: those of them that nothing else records.
     """
 
     needs: tuple[str, ...]
+    own: tuple[Quantity, ...]
 
     def see(self, abscissas: np.ndarray, values: Mapping[str, np.ndarray]) -> None:
         """See further steps.
@@ -53,12 +55,13 @@ class StepWatch:
         self._quantities: list[tuple[Quantity, list[int], slice]] = []
 
     def watching(self, quantities: Sequence[Quantity]) -> list[Quantity]:
-        """Return quantities of a run with those watched that observers need.
+        """Return quantities of a run with those watched that observers need, and last the own ones of observers.
 
         Args:
             quantities: in the order in which they are recorded; all that are needed. Of one name the first counts:
                 those of `outputs.members` come last.
         """
+        quantities = [*quantities, *(one for observer in self._observers for one in observer.own)]
         first = {one.name: at for at, one in reversed(list(enumerate(quantities)))}
         chosen = {first[name] for observer in self._observers for name in observer.needs}
         found = [replace(one, watched=True) if at in chosen else one for at, one in enumerate(quantities)]

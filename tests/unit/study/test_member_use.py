@@ -42,10 +42,12 @@ def uses(whole: Building, steps: np.ndarray, values: np.ndarray, piece: int = 7)
     """
     frame = build_building(whole)
     members = bending_members(frame)
-    found = StepWatch([MemberUse(whole, frame)])
+    use = MemberUse(whole, frame)
+    found = StepWatch([use])
     found.watching(member_forces(frame, members, "member", history=False))
     axial = values[..., 0] * np.array([-1.0, 1.0])
-    parts = axial, np.zeros_like(values[..., 1:]), values[..., 1:]
+    pulls = np.zeros((len(values), sum(len(one.cells) for one in use.own)))  # of braces and columns at beams
+    parts = axial, np.zeros_like(values[..., 1:]), values[..., 1:], pulls
     rows = np.concatenate([part.reshape(len(values), -1) for part in parts], axis=1)
     for at in range(0, len(rows), piece):
         found(steps[at : at + piece], rows[at : at + piece])

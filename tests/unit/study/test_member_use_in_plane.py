@@ -73,10 +73,15 @@ def seen(of: Project, forces: Mapping[str, np.ndarray]) -> Group:
     for name, values in forces.items():
         every[:, :, names.index(name)] = np.moveaxis(values, 2, 0) * np.array([-1.0, 1.0])
     use, group = MemberUse(of, frame), Group()
-    use.see(np.arange(steps, dtype=float), dict(zip(use.needs, every, strict=True)))
+    use.see(np.arange(steps, dtype=float), dict(zip(MemberUse.needs, every, strict=True)) | pulls(use, steps))
     use.store(group, "step", "1")
     group.coords["member"] = type(group.variables["section_use_max"])(("member",), np.array(names), "", "")
     return group
+
+
+def pulls(use: MemberUse, steps: int) -> dict[str, np.ndarray]:
+    """Braces and columns that do not pull at the beams of rigid floors."""
+    return {one.name: np.zeros((steps, len(one.cells))) for one in use.own}
 
 
 def of(group: Group, variable: str, name: str) -> np.ndarray:
@@ -249,7 +254,7 @@ def test_the_frame_of_a_building_is_checked_as_in_the_building() -> None:
         at = names.index(name)
         N[:, at], V[:, at, :, 0], M[:, at, :, 0] = (values[:, i, :, k] * [-1.0, 1.0] for k in range(3))
     use, group = MemberUse(whole, frame), Group()
-    use.see(np.arange(40.0), dict(zip(use.needs, (N, V, M), strict=True)))
+    use.see(np.arange(40.0), dict(zip(MemberUse.needs, (N, V, M), strict=True)) | pulls(use, 40))
     use.store(group, "step", "1")
     for name in checked:
         for variable in ("section_use_max", "section_use_at", "member_use_max", "member_use_at"):
