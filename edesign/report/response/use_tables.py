@@ -27,7 +27,8 @@ NAMED = 5
 RULES = {"mean": "mean of {count} motions ({code})", "maximum": "largest of {count}"}
 MEANING = (
     "N (tension positive), V, M: of the step and history with the largest use. Section: EN 1993-1-1, 6.2.6 and 6.2.8 "
-    "to 6.2.10; buckling: 6.3; partial factors of `design`, 1 without it."
+    "to 6.2.10; buckling: 6.3; partial factors of `design`, 1 without it. Beams of rigid floors have the N that braces, "
+    "dampers and columns bring to their line by equilibrium of the floor, without braces or dampers none."
 )
 
 

@@ -188,8 +188,8 @@ def _runs(frame: FrameModel) -> Iterator[tuple[int, list[Member]]]:
     """The beams that are joined end to end along an axis, with the coordinate along it."""
     after: dict[tuple[int, str], Member] = {}
     for beam in frame.of_kind("beam"):
-        start, end = (np.array(frame.places[node]) for node in (beam.start, beam.end))
-        after[int(np.argmax(np.abs(end - start)[: frame.up])), beam.start] = beam
+        first, last = (np.array(frame.places[node]) for node in (beam.start, beam.end))
+        after[int(np.argmax(np.abs(last - first)[: frame.up])), beam.start] = beam
     joined = {(axis, beam.end) for (axis, _), beam in after.items()}
     for (axis, start), beam in after.items():
         if (axis, start) in joined:
