@@ -36,6 +36,8 @@ class LoadedMember:
         N, V, M: internal forces of that step, N and N m, of the end or the member that governs: N positive in tension,
             V and M the largest magnitudes, of a building about and along the axis with more.
         tension: largest tension by the rule of the code, N; 0 of beams.
+        across: use of a column with the compression of the seismic action across, by the rule of the code; None: its
+            file has none.
     """
 
     name: str
@@ -50,6 +52,7 @@ class LoadedMember:
     V: float
     M: float
     tension: float
+    across: float | None = None
 
 
 @dataclass(frozen=True)
@@ -113,6 +116,9 @@ def _bending(found: HistorySet, names: Sequence[str], groups: Sequence[Group], m
     kinds = [kind for kind in _USES if f"{kind[0]}_max" in groups[0].variables]
     every = np.array([[_values(group, f"{name}_max") for name, _ in kinds] for group in groups])
     tension = _tensions(found, names, groups, mean)
+    across: list[float] = [np.nan] * len(members)
+    if all("across_use_max" in group.variables for group in groups):
+        across = _by_rule(found, names, np.array([_values(group, "across_use_max") for group in groups]), mean).tolist()
     of_rule = [_by_rule(found, names, every[:, k], mean) for k in range(len(kinds))]
     for at, name in enumerate(members):
         k = int(np.argmax([use[at] for use in of_rule]))
@@ -147,6 +153,7 @@ def _bending(found: HistorySet, names: Sequence[str], groups: Sequence[Group], m
             float(np.abs(others[0]).max()),
             float(np.abs(others[1]).max()),
             tension.get(name, 0.0),
+            None if np.isnan(across[at]) else across[at],
         )
 
 

@@ -11,8 +11,19 @@ import typer
 from edesign.archive.files import check_own_yaml, source_file, write_yaml
 from edesign.errors import InputError
 from edesign.frame.building_file import load_building
+from edesign.project.building.building import Building
+from edesign.project.frame.member_design import ElasticUse
 from edesign.project.notation.units import parse_ratio
-from edesign.space.extract import StudyNames, frame_row, left_out, project_text, study_text, suite_text
+from edesign.space.extract import (
+    FrameRow,
+    StudyNames,
+    elastic_use,
+    frame_row,
+    left_out,
+    project_text,
+    study_text,
+    suite_text,
+)
 from edesign.space.structure.geometry import space_frame
 from edesign.space.structure.steel_by_thickness import with_steel_by_thickness
 
@@ -57,11 +68,13 @@ def extract(
         raise InputError("--recordings and --drift belong to a study; give --study FILE too [E-CLI-01]")
     if recordings is not None and not recordings.is_dir():
         raise InputError(f"--recordings: there is no folder `{recordings}` [E-FILE-01]")
-    read = with_steel_by_thickness(load_building(building))
+    whole = load_building(building)
+    read = with_steel_by_thickness(whole)
     found = frame_row(read, space_frame(read), frame)
+    elastic, unknown = _elastic_use(whole, found)
     texts = {}
     if study is None:
-        texts[output] = project_text(found)
+        texts[output] = project_text(found, elastic=elastic)
     else:
         suite = study.with_name(f"{study.stem}_records.yaml")
         folder = "" if recordings is None else source_file(recordings, output)
@@ -69,7 +82,7 @@ def extract(
         largest = None if drift is None else _ratio(drift)
         texts = {
             suite: suite_text(found),
-            output: project_text(found, names),
+            output: project_text(found, names, elastic),
             study: study_text(found, names, largest),
         }
         if len(texts) < 3:
@@ -80,8 +93,18 @@ def extract(
         write_yaml(text, path, building)
     if without := left_out(read):
         print(f"note: the building has {', '.join(without)} too, which {output} does not have")
+    if unknown:
+        print(f"note: {output} has no use of members in the elastic design: {unknown}")
     file = shlex.quote(str(study or output))
     print(f"{', '.join(map(str, texts))} written. Next: edesign check {file}; edesign run {file}")
+
+
+def _elastic_use(building: Building, row: FrameRow) -> tuple[dict[str, ElasticUse], str]:
+    """What the elastic design of a building found for its members, or why it did not."""
+    try:
+        return elastic_use(building, row.along), ""
+    except InputError as error:
+        return {}, str(error)
 
 
 def _ratio(text: str) -> float:

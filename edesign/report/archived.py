@@ -12,6 +12,7 @@ from edesign.frame.sections.building_sections import BuildingSections
 from edesign.ground_motion.seismic_action.files import text_name
 from edesign.project.actions.hazard_base import Hazard
 from edesign.project.analysis_file import AnalysisFile
+from edesign.project.frame.member_design import FrameDesign
 from edesign.project.loader import parse_project
 from edesign.project.project import Project
 from edesign.project.reading.file_model import FileModel
@@ -123,6 +124,15 @@ def archived_hazard(archive: Archive) -> Hazard | None:
     except EdesignError:
         return None
     return None if base is None else base.hazard
+
+
+def archived_design(archive: Archive) -> FrameDesign | None:
+    """Return what the checks of the plane frame of an archive go by; None of a building, or without it."""
+    try:
+        project = archived_project(archive)
+    except EdesignError:
+        return None
+    return None if project is None else project.design
 
 
 def archived_study(archive: Archive) -> Study | None:

@@ -50,6 +50,10 @@ def check_frame(project: Project, problems: Problems, profiles: Catalogue | None
     _releases(frame, problems, check)
     _leaning_column(project, problems)
     check_own_sections(project.sections, problems, profiles)
+    if project.design is not None:
+        for name in project.design.elastic_use:
+            if name not in frame.members:
+                problems.at_key(("design", "elastic_use", name), unknown_name("member", name, frame.members))
     for keys, run in _runs(frame):
         _section_of(project, problems, keys, run, profiles)
     for keys, run in _runs(frame):

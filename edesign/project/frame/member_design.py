@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal
 
-from edesign.project.notation.units import PositiveFactor
+from pydantic import Field
+
+from edesign.project.notation.units import PositiveFactor, PositiveForce
 from edesign.project.notation.written import Written, given
 from edesign.project.reading.base import Model
 
@@ -83,13 +85,50 @@ class SteelFactors(Model):
     M1: PositiveFactor = 1.0
 
 
+class AcrossBracing(Model):
+    """The bracing of frames across that a column of this frame belongs to.
+
+    Attributes:
+        frames: their names in the building.
+        N: axial force that the seismic action across brings to the column where the one along this frame leads, with
+            its factor in that combination.
+    """
+
+    frames: Annotated[tuple[str, ...], Field(min_length=1)]
+    N: PositiveForce
+
+
+class ElasticUse(Model):
+    """The largest use of a member in the elastic design of the building that a frame is taken from.
+
+    Attributes:
+        use: largest ratio of demand and resistance over all checks.
+        check: which it is, such as `EQ_6_62`.
+        combination: combination of actions under which it is.
+        across: the bracing across that a column belongs to.
+    """
+
+    use: PositiveFactor
+    check: str
+    combination: str
+    across: AcrossBracing | None = None
+
+
 class FrameDesign(Model):
     """What the checks of a plane frame's members go by.
 
     Attributes:
         members: how members are checked.
         partial_factors: partial factors; without a key that of the country.
+        elastic_use: by member what the elastic design of its building found, which `edesign extract` writes; tables
+            have it beside the use under the forces of histories.
     """
 
     members: MemberStability = MemberStability()
     partial_factors: SteelFactors = SteelFactors()
+    elastic_use: dict[str, ElasticUse] = {}
+
+    @property
+    def across(self) -> dict[str, float]:
+        """Axial force of the seismic action across by column, N."""
+        return {name: of.across.N for name, of in self.elastic_use.items() if of.across is not None}

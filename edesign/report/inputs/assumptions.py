@@ -118,8 +118,8 @@ def _floors(frame: Frame) -> str:
         return "Floors are no diaphragms: the beams shorten and stretch, and have axial forces."
     which = "All floors are" if len(stiff) == frame.n_storeys else f"Floors {frame.diaphragms} are"
     return (
-        f"{which} rigid diaphragms: their nodes move together horizontally. Beams that braces or dampers meet, and those "
-        "joined to them, are checked with the axial force that equilibrium of the floor gives them, others without any."
+        f"{which} rigid diaphragms: their nodes move together horizontally. Beams that braces or dampers meet, and "
+        "those joined to them, are checked with the axial force by equilibrium of the floor, others without."
     )
 
 

@@ -11,6 +11,7 @@ from edesign.assess.sets import HistorySet
 from edesign.codes.motion_sets import SetRules
 from edesign.ground_motion.hazard import rules_in_force
 from edesign.project.actions.hazard_base import Hazard
+from edesign.project.frame.member_design import ElasticUse, FrameDesign
 from edesign.report.assessment.measure_tables import label, missing_notes
 from edesign.report.tables.column import Column, col, count, text
 from edesign.report.tables.number import finite
@@ -27,8 +28,8 @@ NAMED = 5
 RULES = {"mean": "mean of {count} motions ({code})", "maximum": "largest of {count}"}
 MEANING = (
     "N (tension positive), V, M: of the step and history with the largest use. Section: EN 1993-1-1, 6.2.6 and 6.2.8 "
-    "to 6.2.10; buckling: 6.3; partial factors of `design`, 1 without it. Beams of rigid floors have the N that braces, "
-    "dampers and columns bring to their line by equilibrium of the floor, without braces or dampers none."
+    "to 6.2.10; buckling: 6.3; partial factors of `design`, 1 without it. Beams of rigid floors have the N that "
+    "braces, dampers and columns bring to their line by equilibrium of the floor, without braces or dampers none."
 )
 
 
@@ -68,6 +69,49 @@ BEYOND = TableSpec[_Use](
     each="Members used beyond 1",
     most=MOST,
     cut="The first {shown} of {all}.",
+)
+
+
+@dataclass(frozen=True)
+class _Beside:
+    """A member with its use in the elastic design of its building."""
+
+    member: LoadedMember
+    elastic: ElasticUse
+
+    @property
+    def across(self) -> str:
+        """Frames across to whose bracing a column belongs."""
+        return "" if self.elastic.across is None else ", ".join(self.elastic.across.frames)
+
+    @property
+    def N(self) -> float | None:
+        """Axial force of the seismic action across, N."""
+        return None if self.elastic.across is None else self.elastic.across.N
+
+
+ELASTIC = TableSpec[_Beside](
+    "elastic_use",
+    "{whose}: use beside that in the elastic design of the building",
+    (
+        text("kind", "member.kind"),
+        count("storey", "member.storey"),
+        text("member", "member.name"),
+        col("use", ONE, "member.use", form=".2f"),
+        col("elastic", ONE, "elastic.use", form=".2f"),
+        text("bracing", "across", optional=True),
+        col("N across", KN, "N", 3, optional=True),
+        col("with it", ONE, "member.across", form=".2f", optional=True),
+        text("check", "elastic.check"),
+        text("combination", "elastic.combination", broken=1),
+    ),
+    keys=3,
+    each="Use beside that in the elastic design of the building",
+)
+ACROSS = (
+    "N across: compression that the seismic action across the frame brings to columns of a bracing there, in the "
+    "combinations in which that along the frame leads (EN 1998-1, 4.3.3.5.1(3), 6.7.4(1)). With it: use of the column "
+    "under the forces of the histories with this compression."
 )
 
 
@@ -131,13 +175,16 @@ def _uses(sets: Sequence[HistorySet], hazard: Hazard | None) -> list[_Uses]:
     return found
 
 
-def use_tables(sets: Iterable[HistorySet], hazard: Hazard | None) -> Iterator[Table]:
+def use_tables(sets: Iterable[HistorySet], hazard: Hazard | None, design: FrameDesign | None = None) -> Iterator[Table]:
     """Return the tables of each set of histories: the worst member of each storey, and all beyond 1.
+
+    Of frames that are taken out of a building the use in its elastic design stands beside.
 
     Args:
         sets: those of archives that do not know uses are left out.
         hazard: of the file, whose code says what counts of several motions.
     """
+    elastic = {} if design is None else design.elastic_use
     for uses in _uses(list(sets), hazard):
         places: dict[tuple[str, int], _Use] = {}
         for one in uses.rows:
@@ -149,8 +196,23 @@ def use_tables(sets: Iterable[HistorySet], hazard: Hazard | None) -> Iterator[Ta
         notes += missing_notes([uses.found], labelled=False)
         without = ("largest",) if uses.found.motions == 1 else ()
         yield USE.of([one for _, one in rows], whose=label(uses.found), notes=notes, without=without)
+        if beside := _beside(uses, [one.member for _, one in rows], elastic):
+            notes = wrapped(ACROSS) if any(one.N is not None for one in beside) else []
+            yield ELASTIC.of(beside, whose=label(uses.found), notes=notes)
         if beyond := [one for kind in KINDS for one in uses.beyond(kind)]:
             yield BEYOND.of(beyond, whose=label(uses.found), without=without)
+
+
+def _beside(uses: _Uses, worst: Sequence[LoadedMember], elastic: Mapping[str, ElasticUse]) -> list[_Beside]:
+    """The worst members of each storey, and of its columns of a bracing across the worst, beside the elastic design."""
+    chosen = {member.name: member for member in worst}
+    for storey in sorted({member.storey for member in uses.members}):
+        columns = [one for one in uses.members if one.storey == storey and one.across is not None]
+        if columns:
+            most = max(columns, key=lambda one: one.across or 0.0)
+            chosen[most.name] = most
+    rows = [_Beside(member, elastic[name]) for name, member in chosen.items() if name in elastic]
+    return sorted(rows, key=lambda row: (KINDS.index(row.member.kind), row.member.storey))
 
 
 def _worst(kind: str, uses: _Uses) -> float | None:
@@ -234,6 +296,11 @@ def _in_words(uses: _Uses) -> list[str]:
         if because:
             named = [f"{one.member.name} {one.member.use:.2f} (without {one.bare:.2f})" for one in because]
             lines += wrapped(f"{label(uses.found)}: dampers bring {kind}s beyond 1: {_listed(named)}")
+    across = [one for one in uses.members if one.across is not None and one.across > 1.0 >= one.use]
+    if across:
+        across.sort(key=lambda one: -(one.across or 0.0))
+        named = [f"{one.name} {one.across:.2f} (without {one.use:.2f})" for one in across]
+        lines += wrapped(f"{label(uses.found)}: with the seismic action across columns go beyond 1: {_listed(named)}")
     return lines
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from types import MappingProxyType
 
 from edesign.codes.aisc341.buckling_restrained import RestrainedBrace
 from edesign.errors import InputError
@@ -14,7 +15,7 @@ from edesign.project.building.layout import ways
 from edesign.project.building.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.building.names import BracePlace, column_name, node_name
 from edesign.project.frame.materials import ElasticMaterial, Material, MenegottoPintoMaterial, with_stiffness
-from edesign.project.frame.member_design import MemberStability, SteelFactors
+from edesign.project.frame.member_design import ElasticUse, MemberStability, SteelFactors
 from edesign.project.frame.sections import BoxSection, PlateSection, RectangleSection
 from edesign.project.reading.yaml_edit import yaml_text
 from edesign.space.extract.ends_text import ends_text
@@ -36,7 +37,9 @@ LEANING = "leaning"
 """Section of the line of columns that stands for what leans on the frame, and its elastic material."""
 
 
-def project_text(row: FrameRow, study: StudyNames | None = None) -> str:
+def project_text(
+    row: FrameRow, study: StudyNames | None = None, elastic: Mapping[str, ElasticUse] = MappingProxyType({})
+) -> str:
     """Return plane frames as a project file: tributary loads and masses, sections, supports, and first analyses.
 
     The loads of a beam act where they do in the building. Beside a single frame, parallel frames that resist nothing
@@ -45,6 +48,7 @@ def project_text(row: FrameRow, study: StudyNames | None = None) -> str:
     Args:
         row: one frame of a building, or all of a direction.
         study: names of the files of a study of it, which needs damping, records and a law of dampers; None: no study.
+        elastic: use of members in the elastic design of the building, by name; those of others are left out.
 
     Raises:
         InputError: it has springs at its column bases, or something else that a project file cannot say; a study is
@@ -56,7 +60,7 @@ def project_text(row: FrameRow, study: StudyNames | None = None) -> str:
             f"{row.building.path.name}: {row.name} has buckling-restrained braces, which are its dampers; extract it "
             "without a study, and give it one of `method: hysteretic`, or histories as it is [E-DEVICE-04]"
         )
-    text = "\n".join(_ProjectText(row).text)
+    text = "\n".join(_ProjectText(row, elastic).text)
     return text if study is None else f"{text}\n{study_blocks(row, study)}"
 
 
@@ -82,8 +86,8 @@ def _quoted(words: str) -> str:
 class _ProjectText:
     """The parts of the file."""
 
-    def __init__(self, row: FrameRow) -> None:
-        self.row = row
+    def __init__(self, row: FrameRow, elastic: Mapping[str, ElasticUse]) -> None:
+        self.row, self.elastic = row, elastic
         self.building = row.building
         self.storeys = row.top
         self.shares = leaning_shares(row.alone) if row.alone is not None else {}
@@ -410,7 +414,23 @@ class _ProjectText:
         members = design.members.model_dump(include=set(MemberStability.model_fields), exclude_defaults=True)
         factors = design.partial_factors.model_dump(include=set(SteelFactors.model_fields))
         blocks = ({"members": members} if members else {}) | {"partial_factors": factors}
-        return ["design:", *(f"  {name}: {yaml_text(of).strip()}" for name, of in blocks.items()), ""]
+        text = ["design:", *(f"  {name}: {yaml_text(of).strip()}" for name, of in blocks.items())]
+        return [*text, *self._elastic_use(), ""]
+
+    def _elastic_use(self) -> list[str]:
+        """The use of the frame's members in the elastic design, a line each."""
+        here = {frame.name for frame in self.row.frames}
+        names = [member.name for member in self.row.space.members if here & set(member.frame)]
+        text = ["  elastic_use:                 # largest of all checks of the building, by `edesign extract`"]
+        for name in names:
+            if (of := self.elastic.get(name)) is None:
+                continue
+            across = ""
+            if of.across is not None:
+                across = f", across: {{frames: [{', '.join(of.across.frames)}], N: {value(_kilo(of.across.N), 'kN')}}}"
+            of_combination = f"combination: {yaml_text(of.combination)}"
+            text.append(f"    {name}: {{use: {of.use:g}, check: {of.check}, {of_combination}{across}}}")
+        return text if len(text) > 1 else []
 
     def actions(self) -> list[str]:
         """The seismic action of the building, and analyses to begin with."""

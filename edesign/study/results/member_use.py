@@ -42,6 +42,12 @@ class MemberUse:
     they have under the compression of the step; of class 4 the use is infinite. Members whose section has no class, or
     whose steel does not yield, are not judged, and have 0. The forces of the step are kept with each largest use.
 
+    With `across` columns that belong to a bracing across are judged once more, with the compression that the seismic
+    action across adds: `across_use` is the larger one of both uses.
+
+    Args:
+        across: that compression of columns, by name, N; None: all members by the forces of the run alone.
+
     Raises:
         InputError: the steel or section of a member is not known to the clauses.
 
@@ -52,10 +58,15 @@ class MemberUse:
     needs = tuple(f"member_{name}" for name, _, _ in _PARTS)
     own: tuple[Quantity, ...] = ()
 
-    def __init__(self, file: AnalysisFile, frame: FrameModel) -> None:
+    def __init__(self, file: AnalysisFile, frame: FrameModel, across: Mapping[str, float] | None = None) -> None:
         names = [member.name for member in bending_members(frame)]
         found = checked_members(file, names)
         self._judged, members = found.judged, found.members
+        self._added: np.ndarray | None = None
+        if across is not None:
+            self._judged = self._judged & np.array([name in across for name in names], dtype=bool)
+            members = tuple(member for member in members if member.name in across)
+            self._added = np.array([across[member.name] for member in members])
         self._in_space = frame.model.dimension == 3
         self._axes = len(frame.bending)
         self._dims = by_axis(frame, "member", "end")
@@ -73,7 +84,7 @@ class MemberUse:
         if self._of_members is not None:
             self._load_moments = moments_inside(file, frame, names)
         self._collectors = Collectors(frame)
-        if self._collectors.quantity is not None:
+        if self._collectors.quantity is not None and across is None:  # it is watched once, for beams
             self.own = (self._collectors.quantity,)
             self.needs = (*self.needs, self.own[0].name)
         self._collecting = np.array([names.index(beam.name) for beam in self._collectors.beams], dtype=int)
@@ -96,6 +107,8 @@ class MemberUse:
             return
         if not self._judged.all():
             every = [of[:, self._judged] for of in every]
+        if self._added is not None:
+            every[0] = every[0] + self._added[:, None, None] * _COMPRESSION[:, None]
         peaks = [np.maximum(of.max(axis=0), -of.min(axis=0)) for of in every]
         self._see_ends(abscissas, [of.reshape(len(of), -1, of.shape[3]) for of in every], peaks)
         if self._of_members is not None:
@@ -214,6 +227,12 @@ class MemberUse:
                 if variable is not None:
                     variable.values[self._collecting] = of
         if self._ends is None:
+            return
+        if self._added is not None:
+            use = np.full(self._judged.size, np.nan)
+            use[self._judged] = np.maximum(self._section_use.use.max(axis=1), self._member_use.use)
+            label = "largest use of the column with the compression of the seismic action across"
+            group.add("across_use_max", ("member",), use, "1", label)
             return
         kinds: list[tuple[str, tuple[str, ...], Largest, str]] = [
             ("section_use", ("member", "end"), self._section_use, "N, V and M at the end of the member")
@@ -344,6 +363,8 @@ def run_watch(file: AnalysisFile, frame: FrameModel) -> StepWatch:
 
 def _uses(file: AnalysisFile, frame: FrameModel) -> list[Observer]:
     found: list[Observer] = [MemberUse(file, frame)] if bending_members(frame) else []
+    if across := getattr(getattr(file, "design", None), "across", None):
+        found.append(MemberUse(file, frame, across))
     if frame.of_kind("brace") and getattr(file, "design", None) is not None:
         found.append(BraceUse(file, frame))
     return found

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+import numpy as np
 import pytest
 from building_examples import ANALYSED, DAMPED, IRREGULAR, SMALL, building
 
@@ -19,7 +20,8 @@ from edesign.project.building import Building
 from edesign.project.frame.hinges import HingeValues
 from edesign.project.notation.names import node_name
 from edesign.project.notation.units import STANDARD_GRAVITY
-from edesign.space.extract import frame_row, project_text
+from edesign.space.elastic_design import elastic_design
+from edesign.space.extract import elastic_use, frame_row, project_text
 from edesign.space.extract.selections import runs
 from edesign.space.structure.geometry import space_frame
 from edesign.space.structure.masses import gravity_factor
@@ -254,3 +256,31 @@ def test_runs_say_where_each_value_stands() -> None:
         ("D", "[1, 3]", "b"),
         ("all", "2", "a"),
     ]
+
+
+def test_use_of_the_elastic_design_goes_with_the_frame() -> None:
+    """Columns of a bracing along y have 0.3 x 1.1 gamma_ov Omega_y of what E_y brings them (6.7.4(1), 4.3.3.5.1(3))."""
+    whole = building(SMALL)
+    design = elastic_design(whole)
+    found = elastic_use(whole, "x")
+    text = project_text(frame_row(whole, space_frame(whole), "X1"), elastic=found)
+    read = parse_project(text, "frame.yaml", BuildingSections())
+    assert read.design is not None
+    of_frame = read.design.elastic_use
+    assert set(of_frame) == set(read.frame.members)
+    number = {member.name: at for at, member in enumerate(design.frame.members)}
+    for name, of in of_frame.items():
+        assert of.use == pytest.approx(np.nanmax(design.members.utilisation[number[name]]), rel=1e-3)  # four digits
+    braced = {name: of.across for name, of in of_frame.items() if of.across is not None}
+    assert {name: across.frames for name, across in braced.items()} == {
+        f"C_{line}1_{storey}": (f"Y{line}",) for line in "AC" for storey in (1, 2)
+    }
+    factor = 0.3 * min(1.1 * 1.25 * max(design.overstrength["y"].Omega, 1.0), design.q["y"])
+    for name, across in braced.items():
+        N = design.effects.seismic[1, number[name], :, 0].max()
+        assert across.N == pytest.approx(factor * N, rel=1e-3)
+        assert across.N > 1e3
+
+
+def test_buildings_without_a_design_have_no_use_in_it() -> None:
+    assert elastic_use(building(SMALL[: SMALL.index("design:")]), "x") == {}

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from building_examples import SMALL, building
 
-from edesign.archive.dataset import Group
+from edesign.archive.dataset import Group, Variable
 from edesign.codes.ec3.utilisation import ForcesAlong, utilisation
 from edesign.core.member_checks import FORCES, MEMBER_CHECKS
 from edesign.frame.frame import build_frame
@@ -64,7 +64,7 @@ def project(text: str = PORTAL) -> Project:
     return parse_project(text, Path("portal.yaml"), BuildingSections(), files=False)
 
 
-def seen(of: Project, forces: Mapping[str, np.ndarray]) -> Group:
+def seen(of: Project, forces: Mapping[str, np.ndarray], across: Mapping[str, float] | None = None) -> Group:
     """The uses by internal forces N, V, M at both ends of members, (n, 2, 3), by name; of all others zero."""
     frame = build_frame(of)
     names = [member.name for member in bending_members(frame)]
@@ -72,10 +72,10 @@ def seen(of: Project, forces: Mapping[str, np.ndarray]) -> Group:
     every = np.zeros((3, steps, len(names), 2))
     for name, values in forces.items():
         every[:, :, names.index(name)] = np.moveaxis(values, 2, 0) * np.array([-1.0, 1.0])
-    use, group = MemberUse(of, frame), Group()
+    use, group = MemberUse(of, frame, across), Group()
     use.see(np.arange(steps, dtype=float), dict(zip(MemberUse.needs, every, strict=True)) | pulls(use, steps))
     use.store(group, "step", "1")
-    group.coords["member"] = type(group.variables["section_use_max"])(("member",), np.array(names), "", "")
+    group.coords["member"] = Variable(("member",), np.array(names), "", "")
     return group
 
 
@@ -133,6 +133,22 @@ def test_a_column_against_buckling_by_hand() -> None:
     k_yy = 0.9 * (1.0 + (lambda_y - 0.2) * n_y)
     k_zy = 1.0 - 0.1 * lambda_z / (1.0 - 0.25) * n_z
     assert found == pytest.approx(max(n_y + k_yy * m_y, n_z + k_zy * m_y), rel=2e-3)
+
+
+def test_a_column_of_a_bracing_across_is_judged_with_its_compression_too() -> None:
+    """1000 kN of the run and 500 kN across are the 1500 kN of the columns above; others have none."""
+    forces = np.array(
+        [[[-1500e3, 550e3, 250e3], [-1500e3, 550e3, 0.0]], [[-1500e3, 0.0, 200e3], [-1500e3, 0.0, -100e3]]]
+    )
+    whole = seen(project(), {"C_A_1": forces})
+    forces[..., 0] = -1000e3
+    use = "elastic_use: {C_A_1: {use: 0.5, check: N_M, combination: G, across: {frames: [YA], N: 500 kN}}}"
+    of_file = project(PORTAL.replace("design: {", f"design: {{{use}, "))
+    assert of_file.design is not None
+    found = seen(of_file, {"C_A_1": forces}, of_file.design.across)
+    largest = max(*of(whole, "section_use_max", "C_A_1"), of(whole, "member_use_max", "C_A_1"))
+    assert of(found, "across_use_max", "C_A_1") == largest
+    assert np.isnan(of(found, "across_use_max", "C_B_1")) and "member_use_max" not in found.variables
 
 
 def test_a_beam_by_hand() -> None:
