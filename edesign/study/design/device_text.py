@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import yaml
 
-from edesign.project.dampers.dampers import Brace, BraceSection, BraceStiffness, DamperRun, Dampers
+from edesign.project.dampers.dampers import Brace, BraceSection, BraceStiffness, ChosenBrace, DamperRun, Dampers
 
 
 def devices_text(dampers: Dampers) -> str:
@@ -41,6 +41,10 @@ def _brace(brace: Brace) -> object:
         section = list(brace.section) if isinstance(brace.section, tuple) else brace.section
         factor = {} if brace.buckling_length_factor == 1.0 else {"buckling_length_factor": brace.buckling_length_factor}
         return {"section": section, "material": brace.material, **factor}
+    if isinstance(brace, ChosenBrace):
+        said = brace.model_dump(mode="json", exclude_defaults=True)
+        units = {"force": "N", "stiffness": "N/m"}
+        return said | {key: _with_unit(getattr(brace, key), unit) for key, unit in units.items() if key in said}
     if not isinstance(brace, BraceStiffness):
         return brace
     found = {"stiffness": _with_unit(brace.stiffness, "N/m")}

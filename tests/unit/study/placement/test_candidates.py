@@ -77,6 +77,17 @@ def test_mirror_images_lean_the_other_way(candidates: Candidates) -> None:
     }
 
 
+def test_the_text_of_braces_that_are_chosen(tmp_path: Path) -> None:
+    brace = "{choose: [HEB1*, SHS], material: S275, force: 90 kN, overstrength: 1.2, stiffness: 2 kN/mm}"
+    project = small_project(tmp_path, "[6 m]", "[4 m]")
+    items = f"a: {{law: oil, cost: 1, brace: {brace}}}"
+    spec = design(f"method: placement, kind: rising, bays: all, catalogue: {{{items}}}, verify: {VERIFY}", project)
+    assert isinstance(spec, PlacementDesign)
+    (run,) = yaml.safe_load(devices_text(make_candidates(project, "tried", spec).dampers((1,))))["devices"]
+    written = {"choose": ["HEB1*", "SHS"], "material": "S275", "overstrength": 1.2}
+    assert run["brace"] == written | {"force": "90000.0 N", "stiffness": "2000000.0 N/m"}
+
+
 def test_items_that_compare(candidates: Candidates) -> None:
     expected = np.eye(5, dtype=bool)
     expected[0] = True
