@@ -27,7 +27,9 @@ def default_page_path(archive: str | os.PathLike[str]) -> Path:
 
 
 def write_page(
-    archive: str | os.PathLike[str], path: Path | None = None, progress: Callable[[str], None] = lambda line: None
+    archive: str | os.PathLike[str],
+    path: str | os.PathLike[str] | None = None,
+    progress: Callable[[str], None] = lambda line: None,
 ) -> Path:
     """Write the report of an archive as one HTML page without other files.
 
@@ -44,7 +46,7 @@ def write_page(
         ArchiveError: the archive cannot be read, or the page cannot be written.
         DamagedArchive: the archive is damaged; the page shows what can be read.
     """
-    path = default_page_path(archive) if path is None else path
+    path = default_page_path(archive) if path is None else Path(path)
     check_page_path(path)
     page, damage = read_archive(archive, lambda opened: page_of(opened, progress))
     write_html(page, path)
