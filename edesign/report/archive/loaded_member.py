@@ -94,7 +94,7 @@ CONCURRENT = TableSpec[_Place](
             for force in ("N", "V_y", "V_z", "M_y", "M_z")
         ),
     ),
-    notes=("N positive in tension; V of the ends",),
+    notes=("N positive in tension; V between the ends: on the line between theirs",),
     each="Concurrent forces",
 )
 
@@ -112,8 +112,8 @@ class Followed:
         check: which governs there.
         clause: of it.
         found: its use by the calculation.
-        forces: along the member; of a check of the section they are known at `stations` alone.
-        stations: numbers of the stations whose forces are of this step.
+        forces: along the member.
+        known: places of these that are of one step.
         steps: of the calculation, which leads to the archived use; none if it does not.
     """
 
@@ -126,7 +126,7 @@ class Followed:
     clause: str
     found: float
     forces: ForcesAlong
-    stations: tuple[int, ...]
+    known: slice
     steps: tuple[Step, ...]
 
 
@@ -146,16 +146,21 @@ def loaded_member_tables(archive: Archive, name: str, analysis: str | None = Non
     said += ["Below: the analysis with the largest; another one by --analysis."] if len(rows) > 1 else []
     notes = wrapped(" ".join(said))
     at = f"{followed.at:.4g} {followed.unit}".strip()
-    places = [_Place(float(place), tuple(forces)) for place, forces in zip(*_known(followed), strict=True)]
-    forces = CONCURRENT.of(places, whose=name, history=followed.history, at=at)
+    known, along = followed.known, followed.forces
+    places = [
+        _Place(float(place), tuple(forces))
+        for place, forces in zip(along.stations[known], along.steady[known].tolist(), strict=True)
+    ]
+    other = () if len(places) > 1 else ("The other end has its largest use in another step.",)
+    forces = CONCURRENT.of(places, whose=name, history=followed.history, at=at, notes=other)
     return [UNDER.of(rows, whose=name, notes=notes), forces, _calculation(followed, at)]
 
 
 def loaded_member_data(archive: Archive, name: str, analysis: str | None = None) -> dict[str, object]:
     """Return what `loaded_member_tables` has, for JSON in SI units; errors as those."""
     rows, followed = _of_member(archive, name, analysis)
-    stations, steady = _known(followed)
-    forces = {force: steady[:, i].tolist() for i, force in enumerate(FORCES) if force != "T"}
+    along, known = followed.forces, followed.known
+    forces = {force: along.steady[known, i].tolist() for i, force in enumerate(FORCES) if force != "T"}
     return {
         "member": name,
         "uses": [
@@ -175,15 +180,9 @@ def loaded_member_data(archive: Archive, name: str, analysis: str | None = None)
         "check": followed.check,
         "clause": followed.clause,
         "utilisation": finite(followed.archived),
-        "forces": {"x_over_L": stations.tolist(), **forces},
+        "forces": {"x_over_L": along.stations[known].tolist(), **forces},
         "calculation": worked_data(_worked(followed)),
     }
-
-
-def _known(followed: Followed) -> tuple[np.ndarray, np.ndarray]:
-    """Stations and the forces there that act together."""
-    at = list(followed.stations)
-    return followed.forces.stations[at], followed.forces.steady[at]
 
 
 def _of_member(archive: Archive, name: str, analysis: str | None) -> tuple[list[_Row], Followed]:
@@ -245,9 +244,13 @@ def follow(file: AnalysisFile, group: Group, history: str, name: str) -> Followe
     )
     use, when = (np.atleast_1d(_of(group, f"{quantity}_{of}")[at]) for of in ("max", "at"))
     end = int(np.argmax(use))
-    forces = _forces(member, group, quantity, at)
     checks: Sequence[Check] = SECTION_CHECKS
     station = len(STATIONS) - 1 if end else 0
+    of_step, known = quantity, slice(None)
+    if quantity == "section_use" and when[0] != when[1]:  # each end has its own step; that of buckling has both
+        same_step = "member_use_at" in group.variables and _of(group, "member_use_at")[at] == when[end]
+        of_step, known = ("member_use", known) if same_step else (quantity, slice(station, station + 1))
+    forces = _forces(member, group, of_step, at)
     if quantity == "member_use":
         checks, station = MEMBER_CHECKS, int(np.abs(forces.steady[:, 4:]).max(axis=1).argmax())
     elif quantity == "brace_use":
@@ -277,7 +280,7 @@ def follow(file: AnalysisFile, group: Group, history: str, name: str) -> Followe
         CLAUSES[check],
         found[check],
         forces,
-        (station,) if quantity == "section_use" else tuple(range(len(STATIONS))),
+        known,
         tuple(trace.steps) if same else (),
     )
 

@@ -88,7 +88,9 @@ def _device_figures(archive: Archive, study: Study) -> Iterator[tuple[str, str, 
         own = archive.group_attributes(f"{DESIGNS}/{name}").get("device_names")
         devices = [one for one in frames.frame(variant).devices if not isinstance(own, list) or one.name in own]
         levels = [one for one in sets if one.variant == variant and one.completed]
-        asked = {one.name: _asked(one, levels, whole, factors, rules, frames.first_period(variant)) for one in devices}
+        asked = {
+            one.name: _asked(one, levels, whole, factors, rules, frames.first_period(variant, one)) for one in devices
+        }
         known = [one for one in devices if asked[one.name]]
         if not known:
             continue

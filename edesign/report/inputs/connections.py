@@ -232,7 +232,7 @@ def _demands(
         return
     most, least = (np.array([_extreme(group, device, which) for group in groups]) for which in ("max", "min"))
     pull, push = (_counted(worst_of_each(found, values), rules) for values in (most, -least))
-    period = frames.first_period(variant)
+    period = frames.first_period(variant, device)
     kept = [partial(whole, name) for name in completed]
     stroke, speed = demand(groups, [device], "damper_deformation"), velocity(groups, kept, [device])
     ratio = factored_ratio(device, stroke, speed, factors, rules, period)

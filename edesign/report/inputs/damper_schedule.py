@@ -248,7 +248,7 @@ def _factored(
         if (on_stroke, on_velocity) == (1.0, 1.0) or not any(demands.values()):
             continue
         force, stroke, strain, speed = (_governs(demands.get(name), rules) for _, _, name, _ in QUANTITIES)
-        period = frames.first_period(variant)
+        period = frames.first_period(variant, one)
         of = (demands.get("damper_deformation"), demands.get("velocity"), factors, rules, period)
         ratio = factored_ratio(one, *of)
         rows.append(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cached_property
 
 from edesign.archive.reader import Archive
+from edesign.frame.devices import Device
 from edesign.frame.frame_model import FrameModel
 from edesign.project.actions.hazard_base import Hazard
 from edesign.project.analysis_file import AnalysisFile
@@ -66,13 +67,23 @@ class VariantFrames:
             self._frames[key] = make_frame(self.project(variant, temperature_C), dampers=True)
         return self._frames[key]
 
-    def first_period(self, variant: str) -> float | None:
-        """Return the first natural period of a variant, s; None where the archive has no modes of it."""
+    def first_period(self, variant: str, device: Device) -> float | None:
+        """Return the first natural period of a variant, s; None where the archive has no modes of it.
+
+        Of a building it is that of the mode with most mass along the direction of the device; of one that acts in both,
+        the shorter one, with the larger pseudo velocity.
+        """
         name = f"{variant}.modes"
         if self._study is None or name not in planned(self._archive):
             return None
-        period = results(self._archive, name).variables.get("period")
-        return None if period is None else float(period.values[0])
+        of = results(self._archive, name).variables
+        if "period" not in of:
+            return None
+        masses = [of.get(f"effective_mass_ratio_{axis}") for axis in "xy"]
+        moved = {degree for coefficient, _, degree in device.terms if coefficient != 0.0}
+        leading = [one.values.argmax() for at, one in enumerate(masses) if one is not None and at in moved]
+        in_plane = masses[1] is None or not leading
+        return float(min(of["period"].values[[0] if in_plane else leading]))
 
     @cached_property
     def _designed(self) -> dict[str, Dampers]:

@@ -63,6 +63,26 @@ def test_the_beam_of_a_gravity_analysis_by_hand(archive: Path) -> None:
     assert forces["V_z"][-1] - forces["V_z"][0] == pytest.approx(30e3 * 6.0, rel=1e-6)  # on faces to the end
 
 
+@pytest.mark.parametrize("design", [True, False])
+def test_forces_along_a_beam_are_of_one_step(design: bool, tmp_path: Path) -> None:
+    """Pushed sidewards, its ends have their largest use in different steps; between them M' = -V holds in each."""
+    left_out = ("  braces", "none" if design else "design")
+    lines = [line for line in FRAME.splitlines(keepends=True) if not line.startswith(left_out)]
+    (tmp_path / "frame.yaml").write_text("".join(lines))
+    run_project(load_project(tmp_path / "frame.yaml"))
+    with open_archive(tmp_path / "frame.h5") as opened:
+        when = opened.group("analyses/push").variables["section_use_at"].values
+        beam = opened.group("analyses/push").coords["member"].values.tolist().index("B_1_1")
+        forces = loaded_member_data(opened, "B_1_1", "push")["forces"]
+        shown = loaded_member_tables(opened, "B_1_1", "push")[1]
+    assert isinstance(forces, dict) and when[beam, 0] != when[beam, 1]
+    M, V = forces["M_y"], forces["V_z"]
+    if design:  # buckling has its largest use in the step of the section at the end
+        assert M[0] - M[-1] == pytest.approx(0.5 * (V[0] + V[-1]) * 6.0, abs=1.0)  # kept in single precision
+    else:
+        assert len(M) == 1 and forces["x_over_L"] == [1.0] and shown.notes[-1].startswith("The other end has")
+
+
 def test_names_that_are_not_there(archive: Path) -> None:
     with open_archive(archive) as opened, pytest.raises(InputError, match=r"no member is named 'C_A_2'; did you mean"):
         loaded_member_tables(opened, "C_A_2")
