@@ -292,7 +292,8 @@ class SimplifiedDesign(_ElastomerDesign):
     alpha: PositiveFactor = 10.0
     brace: (
         Annotated[
-            BraceSection | DesignedBrace, OneOf(choose=DesignedBrace, section=BraceSection, material=BraceSection)
+            BraceSection | DesignedBrace,
+            OneOf(otherwise=DesignedBrace, choose=DesignedBrace, section=BraceSection, material=BraceSection),
         ]
         | None
     ) = None

@@ -129,11 +129,10 @@ def _asked(
 ) -> list[Asked]:
     found = []
     for one in levels:
-        groups, kept = list(one.completed.values()), [partial(whole, name) for name in one.completed]
-        stroke, force = (demand(groups, [device], name) for name in ("damper_deformation", "damper_force"))
+        stroke, force = (demand(one, [device], name) for name in ("damper_deformation", "damper_force"))
         if stroke is None or force is None:
             continue
-        speed = velocity(groups, kept, [device])
+        speed = velocity(one, whole, [device])
         on_stroke, on_velocity = factors_on(device, factors)
         ratio = factored_ratio(device, stroke, speed, factors, rules, period)
         u, f = stroke.governing(rules), force.governing(rules)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 
 import numpy as np
 
@@ -233,8 +232,7 @@ def _demands(
     most, least = (np.array([_extreme(group, device, which) for group in groups]) for which in ("max", "min"))
     pull, push = (_counted(worst_of_each(found, values), rules) for values in (most, -least))
     period = frames.first_period(variant, device)
-    kept = [partial(whole, name) for name in completed]
-    stroke, speed = demand(groups, [device], "damper_deformation"), velocity(groups, kept, [device])
+    stroke, speed = demand(found, [device], "damper_deformation"), velocity(found, whole, [device])
     ratio = factored_ratio(device, stroke, speed, factors, rules, period)
     kind, place = damper_place(device.name)
     for connection in connections_of(frame, device):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,6 +11,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.assess.envelopes import peak
 from edesign.assess.quantities import largest_velocity
+from edesign.assess.sets import HistorySet
 from edesign.codes.device_factors import DeviceFactors
 from edesign.codes.motion_sets import SetRules
 from edesign.damper.factored import force_ratio
@@ -19,11 +20,11 @@ from edesign.frame.devices import Device
 
 @dataclass(frozen=True)
 class Demand:
-    """The largest values of one damper over time, mean and maximum of several histories.
+    """The largest values of one damper over time, mean and maximum of several motions.
 
     Attributes:
         mean, maximum: SI units.
-        count: histories that have it.
+        count: motions that have it.
     """
 
     mean: float
@@ -31,7 +32,7 @@ class Demand:
     count: int
 
     def governing(self, rules: SetRules) -> float:
-        """Return the governing value: the mean of as many histories as a code asks for, else the maximum.
+        """Return the governing value: the mean of as many motions as a code asks for, else the maximum.
 
         Args:
             rules: of the code in force.
@@ -39,47 +40,47 @@ class Demand:
         return self.mean if self.count >= rules.number_for_mean else self.maximum
 
 
-def demand(histories: Sequence[Group], devices: Sequence[Device], quantity: str) -> Demand | None:
-    """Return the largest demand on equal dampers in each history; None where no history has a value.
+def demand(found: HistorySet, devices: Sequence[Device], quantity: str) -> Demand | None:
+    """Return the largest demand on equal dampers under each motion; None where no history has a value.
+
+    Of the angles of a motion, and of the places of the masses, the worst counts.
 
     Args:
-        histories: completed, with the extremes of their dampers.
+        found: with the extremes of their dampers.
         devices: some of the frame's.
         quantity: damper_force (N, of one of those side by side), damper_deformation (m) or damper_strain.
     """
-    values = []
-    for group in histories:
-        found = peak(group, quantity)
-        if found is not None:
+    values = {}
+    for name, group in found.completed.items():
+        most = peak(group, quantity)
+        if most is not None:
             number = devices[0].size.number if quantity == "damper_force" else 1
-            values.append(float(np.max(found[_at(group, devices)])) / number)
-    return _of(values)
+            values[name] = float(np.max(most[_at(group, devices)])) / number
+    return _of(found, values)
 
 
-def velocity(
-    histories: Iterable[Group], kept: Iterable[Callable[[], Group]], devices: Sequence[Device]
-) -> Demand | None:
+def velocity(found: HistorySet, whole: Callable[[str], Group], devices: Sequence[Device]) -> Demand | None:
     """Return the demand on the velocity of a damper without its brace, m/s.
 
     Of a dashpot it follows from the force, (F / c)^(1 / alpha), and of other laws from the deformation over time, where
     that was kept.
 
     Args:
-        histories: completed, with the extremes of their dampers.
-        kept: functions that read the same histories with what they kept over time.
+        found: with the extremes of their dampers.
+        whole: reads a history with what it kept over time.
         devices: that are alike.
     """
-    values = []
-    for group, read in zip(histories, kept, strict=True):
-        found = _of_dashpots(group, devices)
-        if found is None:
-            whole = read()
-            if "damper_deformation" in whole.variables and "time" in whole.coords:
-                over_time = np.asarray(whole.variables["damper_deformation"].values)[:, _at(whole, devices)]
-                found = float(largest_velocity(np.asarray(whole.coords["time"].values), over_time).max())
-        if found is not None:
-            values.append(found)
-    return _of(values)
+    values = {}
+    for name, group in found.completed.items():
+        most = _of_dashpots(group, devices)
+        if most is None:
+            kept = whole(name)
+            if "damper_deformation" in kept.variables and "time" in kept.coords:
+                over_time = np.asarray(kept.variables["damper_deformation"].values)[:, _at(kept, devices)]
+                most = float(largest_velocity(np.asarray(kept.coords["time"].values), over_time).max())
+        if most is not None:
+            values[name] = most
+    return _of(found, values)
 
 
 def factored_ratio(
@@ -136,5 +137,10 @@ def _at(group: Group, devices: Sequence[Device]) -> list[int]:
     return [names.index(device.name) for device in devices]
 
 
-def _of(values: Sequence[float]) -> Demand | None:
-    return Demand(float(np.mean(values)), float(np.max(values)), len(values)) if values else None
+def _of(found: HistorySet, values: Mapping[str, float]) -> Demand | None:
+    worst: dict[str, float] = {}
+    for name, value in values.items():
+        motion = found.motion_of[name]
+        worst[motion] = max(worst.get(motion, value), value)
+    every = list(worst.values())
+    return Demand(float(np.mean(every)), float(np.max(every)), len(every)) if every else None

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import partial
 
 from edesign.archive.dataset import Group
 from edesign.assess.sets import HistorySet
@@ -269,7 +268,7 @@ def _factored(
         return Table("")
     notes = [
         factors_note(factors, study is not None and study.device_factors is not None),
-        f"Of at least {rules.number_for_mean} histories the mean counts, else the largest.",
+        f"Of at least {rules.number_for_mean} motions the mean counts, else the largest.",
         "F is of one damper, factored by its law at the factored stroke and velocity.",
         "For this, a velocity that was not kept is the pseudo velocity of the first mode.",
     ]
@@ -318,10 +317,10 @@ def _notes(single: bool, levels: bool, rules: SetRules) -> list[str]:
     if single:
         notes.append("The values are the largest over the time of one history, in the place that has most.")
     else:
-        notes.append("Of the largest values of each history: mean and maximum over them, in the place that has most.")
+        notes.append("Of the largest values of each motion: mean and maximum over them, in the place that has most.")
     if levels:
         clause = with_standard(rules.clauses.use)
-        which = f"the mean of at least {rules.number_for_mean} histories, else the maximum ({clause})"
+        which = f"the mean of at least {rules.number_for_mean} motions, else the maximum ({clause})"
         notes.append(f"The level governs whose value is largest: {which}.")
     return notes
 
@@ -336,10 +335,10 @@ def _demands(
     frame = frames.frame(own if own in frames.variants else "", temperature)  # of bounds, other scales
     devices = [device for device in frame.devices if device.name in names_of]
     names = ("damper_force", "damper_deformation", "damper_strain")
-    found = {name: demand(completed, devices, name) for name in names}
+    found = {name: demand(histories, devices, name) for name in names}
     if devices[0].layer_thickness is None:
         found["damper_strain"] = None
-    found["velocity"] = velocity(completed, [partial(whole, name) for name in histories.completed], devices)
+    found["velocity"] = velocity(histories, whole, devices)
     return found
 
 

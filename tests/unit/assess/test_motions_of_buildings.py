@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+from typing import cast
+
 import numpy as np
 import pytest
 from building_examples import SMALL, building
@@ -13,6 +16,9 @@ from edesign.assess.members import frame_members, member_usages
 from edesign.assess.performance import member_performance, set_performance
 from edesign.assess.sets import history_sets, measure_statistics
 from edesign.assess.verdicts import Verdict, judge
+from edesign.codes.ec8.accelerograms import SET_RULES
+from edesign.frame.devices import Device
+from edesign.report.inputs.damper_demand import demand
 from edesign.report.response.torsion_tables import torsion_tables
 
 DRIFTS = {
@@ -60,6 +66,20 @@ def test_the_statistic_is_over_the_worst_of_each_motion() -> None:
     half = verdict("most: 0.7 %, share: 50 %", histories())
     assert (half.value, half.met) == (0.5, True)
     assert verdict("most: 0.7 %, statistic: ec8", histories()).statistic == "maximum"  # two motions, not eight
+
+
+def test_dampers_are_asked_for_by_the_worst_of_each_motion() -> None:
+    """Eight histories of two motions are two: the largest counts, and the mean is that of 10 and 6 mm."""
+    groups = histories()
+    for name, group in groups.items():
+        group.coords["damper"] = Variable(("damper",), np.array(["VX_1_1_1"]), "", "")
+        group.add("damper_deformation_max", ("damper",), np.array([DRIFTS[name]]), "m", "")
+        group.add("damper_deformation_min", ("damper",), np.array([0.0]), "m", "")
+    (of_one_level,) = history_sets(groups)
+    device = cast(Device, SimpleNamespace(name="VX_1_1_1"))
+    found = demand(of_one_level, [device], "damper_deformation")
+    assert found is not None and (found.count, found.maximum) == (2, 0.010)
+    assert found.mean == pytest.approx(0.008, rel=1e-14) and found.governing(SET_RULES) == 0.010
 
 
 def test_torsion_is_that_of_the_worst_of_each_motion() -> None:
