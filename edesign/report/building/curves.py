@@ -13,6 +13,7 @@ from edesign.report.building.code_in_use import rules_in_use
 from edesign.report.building.elevations import strokes
 from edesign.report.building.results import BuildingResults
 from edesign.report.drawing.captions import plain
+from edesign.report.drawing.panels import LINE
 from edesign.report.drawing.style import BEFORE, TARGET, VARIANTS, legend_below, new_figure, styled
 from edesign.space.structure.frame import AXES
 
@@ -26,6 +27,7 @@ _COLOURS = dict(zip(AXES, (VARIANTS[0], VARIANTS[1]), strict=True))
 _SMALL = 0.05  # modal mass ratio up to which a mode is not marked; EN 1998-1, 4.3.3.3.1(3)
 _CLOSE = 0.12  # s between modes whose numbers would meet
 _TILT = 0.45  # of y in an oblique drawing
+_SWING = 0.12  # largest displacement of a mode, of the largest extent of the building
 
 
 def spectra(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
@@ -96,16 +98,17 @@ def _mode_shapes(results: BuildingResults) -> Figure:
     lines = _lines(results)
     place = results.values("nodes", "position")
     size = float(np.ptp(place, axis=0).max())
-    across = min(3, len(modes))
+    reach = np.ptp(_oblique(place), axis=0) + _SWING * size * np.array([1.0 + _TILT, 0.6 * _TILT])
+    ratio = float(min(reach[1] / reach[0], 1.6))
+    across = min(3 if ratio > 1.25 else 2, len(modes))  # slender ones stand closer
     down = -(-len(modes) // across)
-    wide, high = float(np.ptp(_oblique(place)[:, 0])), float(np.ptp(_oblique(place)[:, 1]))
-    figure, rows = new_figure(down, across, 6.2, 0.3 + down * (0.35 + 6.2 / across * min(high / wide, 1.6)))
+    figure, rows = new_figure(down, across, LINE, down * (0.4 + LINE / across * ratio))
     cells = [cell for row in rows for cell in row]
     for cell in cells[len(modes) :]:
         cell.set_visible(False)
     for k, axes in zip(modes, cells, strict=False):
         shape = results.values("nodes", "mode_shape")[k].astype(float)
-        moved = place + 0.12 * size * shape / max(float(np.abs(shape).max()), 1e-12)
+        moved = place + _SWING * size * shape / max(float(np.abs(shape).max()), 1e-12)
         for where, colour, width in ((place, "#cfd4db", 0.5), (moved, VARIANTS[1], 0.7)):
             starts, ends = np.moveaxis(_oblique(where)[lines], 1, 0)
             strokes(axes, starts, ends, colour, width)
@@ -114,7 +117,7 @@ def _mode_shapes(results: BuildingResults) -> Figure:
         shares = (100.0 * float(ratio[k]) for ratio in ratios)
         mass = ", ".join(f"{name} {share:.0f} %" for name, share in zip(("x", "y", "rz"), shares, strict=True))
         axes.set_title(
-            f"mode {k + 1}: {plain(float(results.values('modes', 'period')[k]))} s\nmass {mass}", fontsize=7.0
+            f"mode {k + 1}: {plain(float(results.values('modes', 'period')[k]))} s\nmass {mass}", fontsize=8.0
         )
     return figure
 

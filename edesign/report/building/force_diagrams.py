@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 
@@ -156,12 +156,13 @@ def _draw(sheet: Sheet, results: BuildingResults, frame: str, combination: int, 
     lines = grid_lines(results)[axis]
     levels = np.unique(results.values("nodes", "position")[:, 2].round(6))
     grid = Grid.of([name for name, _ in lines], [place for _, place in lines], levels.tolist())
-    draw_axes(sheet, grid, dimensions=False)
     scaled = np.array([grid.across, grid.up])
     found = {int(n): _on_sheet(along_of(results, int(n), combination, axis, quantity.symbol), scaled) for n in members}
     largest = max((float(np.abs([one.low, one.high]).max()) for one in found.values()), default=0.0)
     bay, storey = (float(np.diff(places).min()) for places in ([scaled[0] * x for x in grid.xs], scaled[1] * levels))
     scale = HIGHEST * min(bay, storey) / largest if largest else 0.0
+    values = (one.at(side, scale) for one in found.values() for side in (one.low, one.high))
+    draw_axes(sheet, grid, dimensions=False, beside=-min((float(at[:, 0].min()) for at in values), default=0.0))
     sheet.lines([np.array((one.start, one.end)) for one in found.values()], FAINT, 1.0)
     shown = [one for one in found.values() if np.abs([one.low, one.high]).max() > 1e-6 * largest]
     bands = [one for one in shown if one.alternating.any()]
@@ -178,12 +179,13 @@ def _draw(sheet: Sheet, results: BuildingResults, frame: str, combination: int, 
         for n in alike:
             one = found[n]
             extreme = one.high if np.abs(one.high).max() >= np.abs(one.low).max() else one.low
-            place = int(np.argmax(np.abs(extreme)))
-            value = float(extreme[place])
+            value = float(extreme[np.argmax(np.abs(extreme))])
             if abs(value) < UNSEEN * largest or largest == 0.0:
                 break
-            text = plain((value if quantity.signed else abs(value)) / 1e3)
-            if sheet.place(_spots(one, place, float(scale * value)), text, (SMALLEST,)):
+            texts = [plain((one if quantity.signed else abs(one)) / 1e3) for one in extreme.tolist()]
+            text = texts[int(np.argmax(np.abs(extreme)))]
+            equal = [place for place, other in enumerate(texts) if other == text]
+            if sheet.place(_spots(one, equal, float(scale * value)), text, (SMALLEST,)):
                 break
 
 
@@ -192,12 +194,41 @@ def _on_sheet(one: Along, scaled: np.ndarray) -> Along:
     return Along(one.start * scaled, one.end * scaled, one.side, one.stations, one.steady, one.alternating)
 
 
-def _spots(one: Along, place: int, ordinate: float) -> list[Spot]:
-    """Places of a value beside the end of its ordinate."""
-    at = one.start + one.stations[place] * (one.end - one.start) + ordinate * one.side
-    outwards = np.sign(ordinate) * one.side
-    first = [Spot(at[0], at[1] + 0.02 * sign, "center", va) for sign, va in ((1.0, "bottom"), (-1.0, "top"))]
-    beside = [Spot(at[0] + 0.03 * sign, at[1], ha) for sign, ha in ((1.0, "left"), (-1.0, "right"))]
+def _spots(one: Along, places: Sequence[int], ordinate: float) -> list[Spot]:
+    """Spots of a value beside the ends of its ordinates, those of the middle first, and a little inwards of a joint."""
+    way = one.end - one.start
+    length = float(np.hypot(*way))
+    way = way / max(length, 1e-9)
+    middle = 0.5 * (one.stations[0] + one.stations[-1])
+    found = []
+    for place in sorted(places, key=lambda n: abs(one.stations[n] - middle)):
+        share = float(one.stations[place])
+        inwards = 0.0 if abs(share - middle) < 0.4 else np.sign(middle - share)
+        for along in (0.0, 0.08, 0.16) if inwards else (0.0,):
+            at = one.start + (share * length + inwards * along) * way
+            found += _beside(at, at + ordinate * one.side, way, float(np.sign(ordinate)) * one.side)
+    return found
+
+
+def _beside(axis: np.ndarray, at: np.ndarray, way: np.ndarray, outwards: np.ndarray) -> list[Spot]:
+    """Spots at the end of an ordinate, farther out first, and at the other side of the axis of the member."""
+    if min(abs(way)) > 0.1:  # a brace: along it
+        turned = float(np.degrees(np.arctan2(way[1], way[0])))
+        up = 1.0 if abs(turned) < 90.0 else -1.0
+        turned -= 0.0 if up > 0.0 else np.copysign(180.0, turned)
+        side = up * np.array([-way[1], way[0]])
+        far = max(0.02, abs(float((at - axis) @ side)) + 0.02)
+        return [
+            Spot(*(axis + sign * far * side), "center", va, turned) for sign, va in ((1.0, "bottom"), (-1.0, "top"))
+        ]
     if abs(outwards[0]) > abs(outwards[1]):
-        return [*(beside if outwards[0] > 0.0 else beside[::-1]), *first]
-    return [*(first if outwards[1] > 0.0 else first[::-1]), *beside]
+        spots = [
+            Spot(x + 0.03 * sign, at[1], ha) for x in (at[0], axis[0]) for sign, ha in ((1.0, "left"), (-1.0, "right"))
+        ]
+        return spots if outwards[0] > 0.0 else [spots[1], spots[0], spots[3], spots[2]]
+    spots = [
+        Spot(at[0], y + 0.02 * sign, "center", va)
+        for y in (at[1], axis[1])
+        for sign, va in ((1.0, "bottom"), (-1.0, "top"))
+    ]
+    return spots if outwards[1] > 0.0 else [spots[1], spots[0], spots[3], spots[2]]

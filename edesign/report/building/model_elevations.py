@@ -25,7 +25,7 @@ from edesign.report.model.ends import Line
 from edesign.report.model.figures import Named
 from edesign.report.model.sheet import Entry, Sheet, on_sheet, unwritten
 from edesign.report.model.supports import SIGNS, axes, draw_isolation, footing_words, support_entry
-from edesign.report.model.words import section_words, several_steels, short, steels_of
+from edesign.report.model.words import in_two_lines, section_words, several_steels, short, steels_of
 from edesign.space.structure.frame import Member, SpaceFrame
 
 _EQUAL = 1.0 - 1e-9  # a square or round column has no weak axis: its I_z is I_y but for rounding
@@ -117,8 +117,6 @@ def _draw(sheet: Sheet, building: Building, frame: SpaceFrame, along: Direction,
     draw_axes(sheet, grid)
     for kinds, width in (("column beam", 1.6), ("brace", 1.1)):
         sheet.lines([ends[one.name] for one in members if one.kind in kinds.split()], width=width)
-    for (x0, y), (x1, _) in (ends[one.name] for one in members if one.kind == "beam"):
-        sheet.block(0.5 * (x0 + x1), y, abs(x1 - x0), 0.02)  # labels of columns stay between beams where they can
     if building.isolation is None:
         entries = _supports(sheet, grid, building, along, number)
     else:
@@ -228,7 +226,7 @@ def _sections(sheet: Sheet, members: Sequence[Member], ends: dict[str, Line], we
         order = sorted(ys, key=lambda y: abs(y - 0.5 * (ys[0] + ys[-1])))
         spots = [Spot(x - 0.04, y, "center", "bottom", 90.0) for y in order]
         spots += [Spot(x + 0.04, y, "center", "top", 90.0) for y in order]
-        if not sheet.place(spots, text):
+        if not sheet.place(spots, in_two_lines(text)):
             yield f"column {next(one.name for one in columns if middle(one) == (x, ys[0]))}: {text}"
     beams = sorted((one for one in members if one.kind == "beam"), key=lambda one: middle(one)[::-1])
     for (y, text), run in groupby(beams, key=lambda one: (middle(one)[1], words(one))):
@@ -255,7 +253,7 @@ def _sections(sheet: Sheet, members: Sequence[Member], ends: dict[str, Line], we
                 x0 + share * (x1 - x0) - 0.03 * side * s, y0 + share * (y1 - y0) + 0.03 * side * c, "center", va, angle
             )
             for side, va in ((1.0, "bottom"), (-1.0, "top"))
-            for share in ((0.3, 0.7, 0.5) if one.bracing == "cross" else (0.5, 0.35, 0.65))
+            for share in ((0.3, 0.7, 0.24, 0.76, 0.2, 0.8, 0.5) if one.bracing == "cross" else (0.5, 0.35, 0.65))
         ]
         if not sheet.place(spots, words(one)):
             yield f"brace {one.name}: {words(one)}"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import groupby
 
@@ -15,9 +15,12 @@ from edesign.report.drawing.style import AFTER, TARGET
 from edesign.report.model.boxes import Spot
 from edesign.report.model.elevation import Grid, draw_plan_axes
 from edesign.report.model.figures import Named
-from edesign.report.model.sheet import INK, SMALLEST, Sheet, on_sheet
+from edesign.report.model.sheet import INK, SMALLEST, TEXT, Entry, Sheet, on_sheet
 
-"""Plans that are drawn; of more those of other outlines come first."""
+KINDS = ("column", "beam", "brace")
+MARKS = "abcdefghijkl"
+"""Of members whose sections change from storey to storey; with more of them plans are drawn apart."""
+_Place = tuple[str, tuple[float, ...]]
 _BEAM = "#7c8796"
 _COLUMN = 0.11  # size of a column in the drawing, by the narrowest bay
 _BRACE = 0.05  # how far a brace is drawn beside its beam, by the narrowest bay
@@ -44,33 +47,72 @@ def plans_of(results: BuildingValues, heading: Sequence[str] = ()) -> Iterator[N
     Yields:
         Name of the file, caption and figure.
     """
-    for storeys in _different_storeys(results):
+    for storeys, marked in _alike(results):
         which = f"storey {storeys[0]}" if len(storeys) == 1 else f"storeys {_runs(storeys)}"
-        sections = _sections(results, storeys[0])
+        letters = " Letters stand for sections that change from storey to storey, as below the plan." * any(
+            len(set(sections)) > 1 for _, sections in marked.values()
+        )
         caption = (
             f"Plan of {which}, widths in m. Columns with the direction of their webs, the beams above them, circles at "
-            f"pinned ends, dashes beside braced bays, a cross at the centre of mass. Sections: {sections}."
+            f"pinned ends, dashes beside braced bays, crosses at centres of mass.{letters} "
+            f"Sections: {_sections(results, storeys)}."
         )
         above = (*heading, f"Plan of {which}") if heading else ()
-        draw = partial(_draw, results=results, storey=storeys[0])
+        draw = partial(_draw, results=results, storeys=storeys, marked=marked)
         yield f"plan_{storeys[0]}", caption, on_sheet(draw, above)
 
 
-def _different_storeys(results: BuildingValues) -> list[list[int]]:
-    """Storeys with equal members in equal places, from below."""
-    names = ("kind", "section", "start", "end", "web", "ends", "storey")
-    columns = [results.values("members", name) for name in names]
-    found: dict[frozenset[tuple[object, ...]], list[int]] = {}
-    for storey in np.unique(columns[-1]).tolist():
-        chosen = columns[-1] == storey
-        kind, section, start, end, web, ends = (column[chosen] for column in columns[:-1])
-        turned = (kind == "brace") & (start[:, 0] + start[:, 1] > end[:, 0] + end[:, 1])  # in plan both ways are alike
-        start, end = (np.where(turned[:, None], b, a) for a, b in ((start, end), (end, start)))
-        web = np.where((kind == "column")[:, None], web, 0.0)
-        rows = np.concatenate([start[:, :2], end[:, :2], web, ends > 0.0], axis=1).round(6)
-        members = frozenset(zip(kind.tolist(), section.tolist(), map(tuple, rows.tolist()), strict=True))
-        found.setdefault(members, []).append(int(storey))
-    return list(found.values())
+_Marked = dict[_Place, tuple[str, tuple[str, ...]]]
+"""Kind and sections by storey of the members at each place of a plan."""
+
+
+def _alike(results: BuildingValues) -> list[tuple[list[int], _Marked]]:
+    """Storeys with members of equal kinds in equal places, from below, and the members of each place.
+
+    Where sections change in more ways than there are `MARKS`, storeys with equal sections are put together.
+    """
+    layouts: dict[frozenset[_Place], list[int]] = {}
+    found = _members_by_storey(results)
+    for storey, members in found.items():
+        layouts.setdefault(frozenset(members), []).append(storey)
+    groups = []
+    for storeys in layouts.values():
+        marked = _marked(found, storeys)
+        if len({one for one in marked.values() if len(set(one[1])) > 1}) <= len(MARKS):
+            groups.append((storeys, marked))
+            continue
+        equal: dict[tuple[tuple[_Place, str], ...], list[int]] = {}
+        for storey in storeys:
+            equal.setdefault(tuple(sorted(found[storey].items())), []).append(storey)
+        groups += [(alike, _marked(found, alike)) for alike in equal.values()]
+    return sorted(groups, key=lambda group: group[0])
+
+
+def _marked(found: dict[int, dict[_Place, str]], storeys: Sequence[int]) -> _Marked:
+    return {place: (place[0], tuple(found[storey][place] for storey in storeys)) for place in found[storeys[0]]}
+
+
+def _members_by_storey(results: BuildingValues) -> dict[int, dict[_Place, str]]:
+    """The sections of each storey by the place of their members; those of several in one place are joined."""
+    found: dict[int, dict[_Place, str]] = {}
+    places = _places(results)
+    section, storeys = (results.values("members", name).tolist() for name in ("section", "storey"))
+    for place, name, storey in sorted(zip(places, section, storeys, strict=True), key=lambda one: (one[2], one[1])):
+        of_storey = found.setdefault(int(storey), {})
+        known = of_storey.get(place, "").split(", ")
+        of_storey[place] = name if known == [""] else ", ".join(dict.fromkeys([*known, name]))
+    return found
+
+
+def _places(results: BuildingValues) -> list[_Place]:
+    """Kind of each member with its place in plan, the web of a column, and its pinned ends."""
+    names = ("kind", "start", "end", "web", "ends")
+    kind, start, end, web, ends = (results.values("members", name) for name in names)
+    turned = (kind == "brace") & (start[:, 0] + start[:, 1] > end[:, 0] + end[:, 1])  # in plan both ways are alike
+    start, end = (np.where(turned[:, None], b, a) for a, b in ((start, end), (end, start)))
+    web = np.where((kind == "column")[:, None], web, 0.0)
+    rows = np.concatenate([start[:, :2], end[:, :2], web, ends > 0.0], axis=1).round(6) + 0.0
+    return list(zip(kind.tolist(), map(tuple, rows.tolist()), strict=True))
 
 
 def _runs(numbers: list[int]) -> str:
@@ -79,33 +121,32 @@ def _runs(numbers: list[int]) -> str:
     return ", ".join(str(run[0]) if len(run) == 1 else f"{run[0]}-{run[-1]}" for run in runs)
 
 
-def _draw(sheet: Sheet, results: BuildingValues, storey: int) -> None:
+def _draw(sheet: Sheet, results: BuildingValues, storeys: Sequence[int], marked: _Marked) -> None:
+    storey = storeys[0]
     across_x, across_y = grid_lines(results)
     xs, ys = (tuple(place for _, place in lines) for lines in (across_x, across_y))
     scale = _SIZE / max(xs[-1] - xs[0], ys[-1] - ys[0])  # inches a metre
     narrow = scale * float(min(np.diff(xs).min(initial=np.inf), np.diff(ys).min(initial=np.inf)))
     draw_plan_axes(sheet, Grid(tuple(name for name, _ in across_x), xs, ys, scale, scale), [n for n, _ in across_y])
     of_storey = results.values("members", "storey") == storey
-    kind, section = (results.values("members", name) for name in ("kind", "section"))
+    kind = results.values("members", "kind")
     columns, beams, braces = (np.flatnonzero(of_storey & (kind == name)) for name in ("column", "beam", "brace"))
     start, end = (scale * results.values("members", name)[:, :2] for name in ("start", "end"))
     sheet.lines(np.stack([start[beams], end[beams]], axis=1), _BEAM, 1.3, zorder=1.0)
-    for n in beams:
-        _keep_free(sheet, start[n], end[n], 0.02)
     size = min(_COLUMN * narrow, _LARGEST)
     sheet.dots(scale * hinges(results, beams, 1.3 * size / scale)[:, :2], 2.8, mew=0.6, zorder=2.0)
     sheet.lines([line for n in columns for line in _column_lines(results, int(n), size, scale)], width=1.5, zorder=3.0)
-    for x, y in start[columns]:
-        sheet.block(x, y, 2.0 * size, 2.0 * size)
     beside = _BRACE * narrow
     dashes = [line for n in braces if (line := _brace_line(start[n], end[n], beside)) is not None]
     sheet.lines(dashes, AFTER, 1.3, linestyle=(0, (4, 2)), zorder=2.0)
-    for a, b in dashes:
-        _keep_free(sheet, a, b, 0.03)
-    floor = results.values("floors", "floor").tolist().index(storey)
-    x, y = (scale * float(results.values("floors", name)[floor]) for name in ("x", "y"))
-    sheet.dots([(x, y)], 5.0, edge=TARGET, marker="x", mew=1.0)
-    sheet.block(x, y, 0.08, 0.08)
+    floors = results.values("floors", "floor").tolist()
+    centres = [[scale * float(results.values("floors", of)[floors.index(n)]) for of in "xy"] for n in storeys]
+    sheet.dots(
+        list(dict.fromkeys((round(x, 2), round(y, 2)) for x, y in centres)), 5.0, edge=TARGET, marker="x", mew=1.0
+    )
+    kinds = dict.fromkeys(one for one in marked.values() if len(set(one[1])) > 1)
+    letters = dict(zip(sorted(kinds, key=lambda one: KINDS.index(one[0])), MARKS, strict=False))
+    words = {n: letters.get(one, one[1][0]) for n, place in enumerate(_places(results)) if (one := marked.get(place))}
     leaning = np.array([n for n in braces if np.any(start[n] != end[n])], dtype=int)
     along_x = np.abs(end - start)[beams, 0] > np.abs(end - start)[beams, 1]
     for numbers, color, spots in (
@@ -114,16 +155,27 @@ def _draw(sheet: Sheet, results: BuildingValues, storey: int) -> None:
         (beams[along_x], INK, lambda n: _along(start[n], end[n], 0.02, -0.02)),
         (beams[~along_x], INK, lambda n: _along(start[n], end[n], 0.02, -0.02)),
     ):
-        for name in dict.fromkeys(section[numbers].tolist()):
-            alike = numbers[section[numbers] == name][::-1]
-            ways = zip(*(spots(n) for n in alike), strict=True)  # the first choice of all of them comes first
-            sheet.place([spot for way in ways for spot in way], str(name), (SMALLEST,), color)
+        names = dict.fromkeys(words[n] for n in numbers)
+        one_name = len(names) == 1
+        for name in names:
+            alike = [n for n in numbers if words[n] == name][::-1]
+            if one_name:
+                ways = zip(*(spots(n) for n in alike), strict=True)  # the first choice of all of them comes first
+                sheet.place([spot for way in ways for spot in way], name, (SMALLEST,), color)
+                continue
+            for n in alike:
+                sheet.place(spots(n), name, (TEXT if name in MARKS else SMALLEST,), color)
+    sheet.legend([Entry(text) for text in _changing(letters, storeys)], sheet.right)
 
 
-def _keep_free(sheet: Sheet, start: np.ndarray, end: np.ndarray, wide: float) -> None:
-    """Keep texts away from a line, inches."""
-    (x, y), (across, up) = 0.5 * (start + end), np.abs(end - start) + wide
-    sheet.block(x, y, across, up)
+def _changing(letters: Mapping[tuple[str, tuple[str, ...]], str], storeys: Sequence[int]) -> Iterator[str]:
+    """What each letter stands for: a: columns HEB300 in storeys 1-2, HEB240 in storey 3."""
+    for (kind, sections), letter in letters.items():
+        by_section = {
+            name: [n for n, other in zip(storeys, sections, strict=True) if other == name] for name in sections
+        }
+        parts = (f"{name} in storey{'s' * (len(of) > 1)} {_runs(of)}" for name, of in by_section.items())
+        yield f"{letter}: {kind}s {', '.join(parts)}"
 
 
 def _along(start: np.ndarray, end: np.ndarray, above: float, below: float) -> Iterable[Spot]:
@@ -170,9 +222,9 @@ def _column_lines(results: BuildingValues, number: int, size: float, scale: floa
     return [np.array(ends), *(np.array([of + size * flange, of - size * flange]) for of in ends)]
 
 
-def _sections(results: BuildingValues, storey: int) -> str:
-    """The sections of a storey in words."""
-    of_storey = results.values("members", "storey") == storey
-    kind, section = (results.values("members", name)[of_storey] for name in ("kind", "section"))
-    kinds = [(name, dict.fromkeys(section[kind == name].tolist())) for name in ("column", "beam", "brace")]
+def _sections(results: BuildingValues, storeys: Sequence[int]) -> str:
+    """The sections of storeys in words."""
+    of_storeys = np.isin(results.values("members", "storey"), storeys)
+    kind, section = (results.values("members", name)[of_storeys] for name in ("kind", "section"))
+    kinds = [(name, dict.fromkeys(section[kind == name].tolist())) for name in KINDS]
     return "; ".join(f"{name}s {', '.join(sections)}" for name, sections in kinds if sections)

@@ -35,6 +35,11 @@ VARIANTS = ("#d9822b", AFTER, "#3aa08f", "#7b3f98", "#5a5f66", "#b8476b", "#8c6d
 RECORDS = "#b4bac3"
 """Of each of many records."""
 
+SEEN = 3.0
+"""Contrast to paper from which a line or mark is seen, of graphical objects by WCAG 2.1, 1.4.11; grids are fainter."""
+Rgb = Sequence[float]
+"""Red, green and blue, 0 to 1, and perhaps the opacity."""
+
 _STYLE: Any = {
     "font.size": 8.0,
     "axes.titlesize": 9.0,
@@ -185,6 +190,18 @@ def svg_text(figure: Figure) -> str:
         FigureCanvasSVG(figure).print_svg(text, metadata={"Date": None})
     figure.dpi = dpi
     return visible(text.getvalue())  # XML has no control characters
+
+
+def contrast(color: Rgb) -> float:
+    """Return the contrast of a colour to white paper: 1 of white, 21 of black (WCAG 2.1, relative luminance).
+
+    Args:
+        color: what shows through an opacity below 1 is white.
+    """
+    opacity = color[3] if len(color) > 3 else 1.0
+    shown = np.asarray(color[:3], dtype=float) * opacity + 1.0 - opacity
+    linear = np.where(shown <= 0.04045, shown / 12.92, ((shown + 0.055) / 1.055) ** 2.4)
+    return 1.05 / (float(linear @ np.array((0.2126, 0.7152, 0.0722))) + 0.05)
 
 
 def legend_label(text: str) -> str:

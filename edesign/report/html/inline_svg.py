@@ -15,10 +15,10 @@ from matplotlib.colors import rgb2hex
 from matplotlib.path import Path
 from matplotlib.transforms import Affine2D, Bbox
 
-from edesign.report.drawing.style import fit_titles, in_style_of_figures
+from edesign.report.drawing.style import SEEN, contrast, fit_titles, in_style_of_figures
 from edesign.report.drawing.symbols import in_parts
 from edesign.report.drawing.thin_out import thin_out_all
-from edesign.report.html.lettering import Written
+from edesign.report.html.lettering import Ink, Written, is_cover
 from edesign.report.html.section import Picture
 from edesign.report.tables.visible import visible_line
 
@@ -103,12 +103,14 @@ class PageRenderer(RendererBase):
 
     Attributes:
         written: the texts, in the order in which they were drawn.
+        ink: lines, marks and faces that can be seen, likewise.
     """
 
     def __init__(self, width: float, height: float, name: str) -> None:
         super().__init__()
         self.width, self.height = width, height
         self.written: list[Written] = []
+        self.ink: list[Ink] = []
         self._drawn: list[str] = []
         self._long: list[tuple[np.ndarray, bool]] = []
         self._name = name
@@ -135,6 +137,7 @@ class PageRenderer(RendererBase):
         if pieces:
             shape = f'<path d="{self._path_data(pieces)}"{_style(gc, rgbFace)}/>'
             self._clipped(gc, shape, np.concatenate([points for points, _, _ in pieces]))
+            self._note(gc, [np.concatenate([p, p[:1]]) if closed else p for p, _, closed in pieces], rgbFace)
 
     def draw_markers(
         self,
@@ -153,8 +156,17 @@ class PageRenderer(RendererBase):
         at = at[np.all(np.isfinite(at), axis=1)]
         uses = "".join(f'<use href="#{name}" x="{_number(x)}" y="{_number(y)}"/>' for x, y in (UNITS * at).tolist())
         if uses:
-            reach = np.ptp(np.concatenate([points for points, _, _ in pieces]), axis=0).max() / 2
+            vertices = np.concatenate([points for points, _, _ in pieces])
+            reach = np.ptp(vertices, axis=0).max() / 2
             self._clipped(gc, uses, np.concatenate((at - reach, at + reach)))
+            outlines = [np.concatenate([points, points[:1]]) for points, _, _ in pieces]
+            filled = rgbFace is not None and contrast(rgbFace) >= SEEN
+            if filled:
+                low, high = vertices.min(axis=0), vertices.max(axis=0)
+                middle, arms = 0.5 * (low + high), 0.5 * np.diag(high - low)
+                outlines = [np.array([middle - arm, middle + arm]) for arm in arms]
+            placed = [points + place for place in at for points in outlines]
+            self._note(gc, placed, rgbFace, rgbFace if filled else None)
 
     def draw_text(
         self,
@@ -171,7 +183,7 @@ class PageRenderer(RendererBase):
         if ismath:  # as outlines
             super().draw_text(gc, x, y, s, prop, angle, ismath, mtext)
             return
-        self.written.append(Written(s, _outline(s, prop, x, self.height - y, angle)))
+        self.written.append(Written(s, _outline(s, prop, x, self.height - y, angle), len(self.ink)))
         style = [f"font-size:{_number(UNITS * prop.get_size_in_points())}px"]
         if mtext is not None and mtext.get_horizontalalignment() in _ANCHORS:
             if not angle or mtext.get_rotation_mode() == "anchor":  # fonts of the page are less wide
@@ -194,6 +206,16 @@ class PageRenderer(RendererBase):
         thinned = thin_out_all([points for points, _ in self._long], TOLERANCE)
         data = [_line_data(points, closed) for points, (_, closed) in zip(thinned, self._long, strict=True)]
         return _LONG.sub(lambda found: data[int(found[1])], "".join(self._drawn))
+
+    def _note(self, gc: Any, lines: list[np.ndarray], face: Any, color: Any = None) -> None:
+        """Note ink that can be seen; lines are in the ordinates of SVG."""
+        width = max(gc.get_linewidth(), 0.1) if gc.get_linewidth() or color is not None else 0.0
+        width = width if contrast(gc.get_rgb() if color is None else color) >= SEEN else 0.0
+        hides = face is not None and is_cover(face)
+        if width or hides:
+            box = gc.get_clip_rectangle()
+            clip = None if box is None else (box.x0, box.y0, box.x1, box.y1)
+            self.ink.append(Ink([(0.0, self.height) + points * (1.0, -1.0) for points in lines], width, hides, clip))
 
     def _path_data(self, pieces: list[tuple[np.ndarray, np.ndarray, bool]]) -> str:
         """What a path is drawn by; of long curves a number, in whose place `element` puts it."""

@@ -53,6 +53,19 @@ class Boxes:
         for cell in _cells(bounds):
             self._cells.setdefault(cell, []).append((bounds, box))
 
+    def add_lines(self, start: np.ndarray, end: np.ndarray, width: float) -> None:
+        """Add straight lines, each as a rectangle.
+
+        Args:
+            start, end: (n, 2) inches.
+            width: inches.
+        """
+        way = end - start
+        length = np.maximum(np.hypot(way[:, 0], way[:, 1]), 1e-9)[:, None]
+        aside = 0.5 * width * np.column_stack((-way[:, 1], way[:, 0])) / length
+        for box in np.stack((start - aside, end - aside, end + aside, start + aside), axis=1):
+            self.add(box)
+
     def meet(self, box: np.ndarray) -> bool:
         """Return whether a rectangle overlaps one of these."""
         bounds = left, low, right, high = _bounds(box)

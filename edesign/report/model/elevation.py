@@ -129,12 +129,13 @@ class Elevation(Grid):
         return self.up * self.frame.storey_heights[number - 1]
 
 
-def draw_axes(sheet: Sheet, grid: Grid, dimensions: bool = True) -> None:
+def draw_axes(sheet: Sheet, grid: Grid, dimensions: bool = True, beside: float = 0.0) -> None:
     """Draw axes with their names, levels, and if wanted the spans and storey heights, m.
 
     Args:
         grid: axes and levels on the sheet.
         dimensions: whether spans and storey heights are written, m.
+        beside: what else stands at the left of the first axis, inches.
     """
     below = -(NAMES if dimensions else DIMENSIONS)
     xs = [grid.across * x for x in grid.xs]
@@ -154,7 +155,7 @@ def draw_axes(sheet: Sheet, grid: Grid, dimensions: bool = True) -> None:
             if name:
                 at = 0.5 * (xs[first] + xs[last]), grid.top + FRAME
                 sheet.place([Spot(*at, "center", "bottom")], f"frame {name}", (TEXT, SMALLEST), SOFT)
-    _levels(sheet, grid, xs[0] - (LEVELS if dimensions else 0.15))
+    _levels(sheet, grid, xs[0] - beside - (LEVELS if dimensions else 0.15))
 
 
 def name_of_frame(names: Sequence[str]) -> str:

@@ -16,7 +16,7 @@ from edesign.report.model.elevation import Elevation
 from edesign.report.model.masses import MASS
 from edesign.report.model.sheet import Entry, Sheet
 from edesign.report.model.supports import axes
-from edesign.report.model.words import chosen, short
+from edesign.report.model.words import chosen, in_two_lines, short
 
 G_Q = tuple[float, float]
 BAND, ARROW = 0.1, 0.2  # height of line loads and of forces, inches
@@ -80,11 +80,11 @@ def draw_loads(sheet: Sheet, place: Elevation, project: Project) -> list[str]:
         place: where metres of the frame are on the sheet.
     """
     found = loads_of(project)
-    labels = [  # all signs are drawn before the first label looks for its place
-        *_uniform(sheet, place, found),
-        *_parts(sheet, place, found),
-        *_points(sheet, place, found),
+    labels = [  # all signs are drawn before the first label looks for its place; those with few spots come first
         *_nodes(sheet, place, found),
+        *_points(sheet, place, found),
+        *_parts(sheet, place, found),
+        *_uniform(sheet, place, found),
         *_columns(sheet, place, found),
         *_base(sheet, place, project),
     ]
@@ -102,7 +102,7 @@ class _Label:
 
 
 def _in_drawing(sheet: Sheet, label: _Label) -> bool:
-    return sheet.place(label.spots, label.text, color=AFTER)
+    return sheet.place(label.spots, in_two_lines(label.text, ", "), color=AFTER)  # G above Q where the room is narrow
 
 
 def _g_and_q(load: G_Q) -> str:
@@ -123,6 +123,8 @@ def _uniform(sheet: Sheet, place: Elevation, found: Loaded) -> Iterator[_Label]:
             middle = bays[(len(bays) - 1) // 2]
             order = sorted(bays, key=lambda bay, m=middle: abs(bay - m))[:8]  # type: ignore[misc]
             spots = [_above(place, bay, share, floor) for share in (0.5, 0.3, 0.7) for bay in order]
+            below = (place.at(frame.x[bay - 1] + 0.5 * frame.bay_widths[bay - 1], frame.levels[floor]) for bay in order)
+            spots += [Spot(x, y - 0.03, "center", "top") for x, y in below]
             yield _Label(spots, _g_and_q(load), f"floor {floor}, bays {bays[0]}-{bays[-1]}")
 
 
@@ -183,13 +185,15 @@ def _points(sheet: Sheet, place: Elevation, found: Loaded) -> Iterator[_Label]:
         middle = 0.5 * (bays[0] + bays[-1])
         for load in dict.fromkeys(load for _, load in forces):
             places = [at for at, one in forces if one == load]
-            spots = []
-            for bay in sorted(bays, key=lambda bay, m=middle: abs(bay - m)):  # type: ignore[misc]
-                for at in places:
-                    x, y = place.at(frame.x[bay - 1] + at, frame.levels[floor])
-                    low = y + _band(place, found, bay, floor)
-                    spots += [Spot(x, low + ARROW + lift, "center", "bottom") for lift in (0.02, 0.13)]
-                    spots += [Spot(x + side * 0.03, low + 0.12, ha) for side, ha in ((1.0, "left"), (-1.0, "right"))]
+            tips = [
+                (x, y + _band(place, found, bay, floor))
+                for bay in sorted(bays, key=lambda bay, m=middle: abs(bay - m))  # type: ignore[misc]
+                for x, y in (place.at(frame.x[bay - 1] + at, frame.levels[floor]) for at in places)
+            ]
+            spots = [Spot(x, y + ARROW + 0.02, "center", "bottom") for x, y in tips]
+            spots += [Spot(x + 0.03, y + 0.12, "left") for x, y in tips]
+            spots += [Spot(x - 0.03, y + 0.12, "right") for x, y in tips]
+            spots += [Spot(x, y + ARROW + 0.13, "center", "bottom") for x, y in tips]
             each = " each" if len(places) * len(bays) > 1 else ""
             said = f"bays {bays[0]}-{bays[-1]}" if bays[1:] else f"bay {bays[0]}"
             yield _Label(spots, f"{where}{_g_and_q(load)}{each}", f"floor {floor}, {said}", "kN")
@@ -228,7 +232,9 @@ def _nodes(sheet: Sheet, place: Elevation, found: Loaded) -> Iterator[_Label]:
         for line in lines:
             x, y = place.at(frame.x[frame.lines.index(line)], frame.levels[floor])
             _force(sheet, x, y)
-            spots += [Spot(x + 0.04, y + ARROW, "left", "center"), Spot(x - 0.04, y + ARROW, "right", "center")]
+            for lift in (0.0, 0.17, 0.24):
+                beside = [Spot(x + 0.05, y + ARROW + lift, "left"), Spot(x - 0.05, y + ARROW + lift, "right")]
+                spots += beside if line != frame.lines[0] else beside[::-1]
             spots += [Spot(x, y + ARROW + 0.02, "center", "bottom")]
         yield _Label(spots, text, f"floor {floor}, nodes {axes(lines, frame.lines)}", "kN")
 

@@ -9,11 +9,11 @@ from itertools import groupby
 from edesign.project.frame.frame import Frame
 from edesign.project.frame.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.project import Project
-from edesign.report.drawing.frame_drawing import FrameElevation
+from edesign.report.drawing.frame_drawing import STEEL, FrameElevation
 from edesign.report.model.boxes import Spot
 from edesign.report.model.elevation import Elevation
 from edesign.report.model.sheet import INK, Entry, Point, Sheet
-from edesign.report.model.words import several_steels
+from edesign.report.model.words import in_two_lines, several_steels
 
 _BUCKLES, _TENSION = (0, (7, 1.5, 1.5, 1.5)), (0, (4, 2))
 
@@ -29,13 +29,10 @@ def draw_frame_members(sheet: Sheet, place: Elevation, project: Project, faint: 
         The lines of the legend.
     """
     frame, entries = project.frame, []
-    color = "#9aa3ae" if faint else INK
+    color = STEEL if faint else INK
     lines = {name: (place.at(*start), place.at(*end)) for name, (start, end) in FrameElevation(frame).lines.items()}
     bending = [ends for name, ends in lines.items() if not isinstance(frame.members[name], BraceRun)]
     sheet.lines(bending, color, 1.1 if faint else 1.7)
-    for (x0, y0), (x1, y1) in bending:
-        if y0 == y1:  # labels of columns stay between beams where they can
-            sheet.block(0.5 * (x0 + x1), y0, abs(x1 - x0), 0.02)
     kinds: dict[str, list[tuple[Point, Point]]] = {}
     for at, run in frame.brace_at.items():
         kinds.setdefault(_brace_kind(run), []).append(lines[frame.brace_name(*at)])
@@ -114,7 +111,7 @@ class _Sections:
                 at = [place.at(x, y) for y in heights]
                 spots = [Spot(a - 0.04, b, "center", "bottom", 90.0) for a, b in at]
                 spots += [Spot(a + 0.04, b, "center", "top", 90.0) for a, b in at]
-                if not self._sheet.place(spots, text):
+                if not self._sheet.place(spots, in_two_lines(text)):
                     yield f"column {line}, {_numbers('storey', storeys)}: {text}"
 
     def beams(self) -> Iterator[str]:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from edesign.report.drawing.style import styled
+from edesign.report.drawing.style import SEEN, contrast, styled
 from edesign.report.drawing.text_size import INCH, text_size, wrapped
 from edesign.report.model.boxes import Boxes, Spot, corners_of
 
@@ -23,11 +24,14 @@ INK, SOFT, FAINT = "#1c2430", "#6b7480", "#c9ced6"
 TEXT = 7.5  # points, of labels
 SMALLEST = 6.0
 GAP = 0.012  # inches between texts
-MOST_SPOTS = 24  # that are tried for a text
+MOST_SPOTS = 48  # that are tried for a text
+LETTER = 12.0  # points, beyond which a sign is a ring round what stands in it
+MASK = 0.8  # white round a text that interrupts a line, points
 MOST_UNWRITTEN = 12  # texts without room that are listed
 MARGIN = 0.08  # around the drawing, inches
 HANDLE = 0.42  # width of a sign in the legend
 LINE = 0.145  # height of a line of the legend
+LINES = 1.2  # from line to line of a text, of its size
 
 
 @dataclass(frozen=True)
@@ -54,7 +58,7 @@ class Sheet:
         self.figure = Figure(figsize=(1.0, 1.0))
         self.axes = self.figure.add_axes((0.0, 0.0, 1.0, 1.0))
         self.axes.set_axis_off()
-        self._texts, self._signs = Boxes(), Boxes()
+        self._texts, self._signs, self._lines = Boxes(), Boxes(), Boxes()
         self._low, self._high = np.full(2, np.inf), np.full(2, -np.inf)
 
     # --- lines and shapes
@@ -78,6 +82,7 @@ class Sheet:
         style = {"solid_capstyle": "butt", "zorder": 1.5, **style}
         self.axes.add_artist(Line2D(path[:, 0], path[:, 1], color=color, lw=width, **style))
         self._reach(path[np.isfinite(path[:, 0])])
+        self._draw_round(found[::2], color, width)
 
     def line(self, *points: Point, color: str = INK, width: float = 0.8, **style: Any) -> None:
         """Draw one line through points.
@@ -129,6 +134,12 @@ class Sheet:
             path = Path.make_compound_path(*(Path(points, closed=True) for points in corners))
             self.axes.add_artist(PathPatch(path, fc=face, ec=edge, lw=width, zorder=zorder))
             self._reach(np.concatenate(corners))
+            if _is_seen(face):
+                for points in corners:
+                    low, high = points.min(axis=0), points.max(axis=0)
+                    self.block(*(0.5 * (low + high)), *(high - low))
+            elif width:
+                self._draw_round(corners, edge, width)
 
     def dots(self, at: Points, size: float, face: str = "white", edge: str = INK, **style: Any) -> None:
         """Draw circles, or other signs by `marker`, of a size in points.
@@ -149,6 +160,13 @@ class Sheet:
         self.axes.add_artist(Line2D(places[:, 0], places[:, 1], ls="none", ms=size, mfc=face, mec=edge, **style))
         reach = 0.5 * size / INCH
         self._reach(np.concatenate((places - reach, places + reach)))
+        if size > LETTER:  # texts may stand in it
+            turn = np.linspace(0.0, 2.0 * np.pi, 17)
+            ring = reach * np.column_stack((np.cos(turn), np.sin(turn)))
+            self._draw_round([place + ring for place in places], edge, style.get("mew", 0.7))
+        elif _is_seen(face) or _is_seen(edge):
+            for x, y in places:
+                self.block(x, y, 2.0 * reach, 2.0 * reach)
 
     def block(self, x: float, y: float, wide: float, high: float) -> None:
         """Keep texts that have a choice away from a rectangle about a point.
@@ -179,15 +197,18 @@ class Sheet:
     def place(
         self,
         spots: Iterable[Spot],
-        words: str,
+        words: str | Sequence[str],
         sizes: Sequence[float] = (TEXT, 6.8, SMALLEST),
         color: str = INK,
         **style: Any,
     ) -> bool:
-        """Write a text at the first spot where no other one stands, if need be small or over a sign.
+        """Write a text at the first spot where no other one stands, if need be small, or so that it interrupts a line.
+
+        Only where even that is impossible it stands over a sign.
 
         Args:
             spots: possible places of the text, the best first.
+            words: the text, or ways to write it, such as in one line and in two, the best first.
             sizes: sizes of the type that may be taken, points.
             color: colour of the lines.
             **style: properties of matplotlib beside those.
@@ -195,15 +216,16 @@ class Sheet:
         Returns:
             Whether there was room.
         """
-        wanted = list(spots)[:MOST_SPOTS]
-        for over_signs in (False, True):
-            for size in sizes:
-                for spot in wanted:
-                    box = self._box(spot, words, size)
-                    if not self._texts.meet(box) and (over_signs or not self._signs.meet(box)):
-                        self._texts.add(box)
-                        self._write(spot, words, size, color, box, style)
-                        return True
+        wanted, ways = list(spots)[:MOST_SPOTS], [words] if isinstance(words, str) else words
+        free = [(self._box(spot, text, size), spot, text, size) for text in ways for size in sizes for spot in wanted]
+        for avoided in ((self._texts, self._signs, self._lines), (self._texts, self._signs), (self._texts,)):
+            free = [one for one in free if not avoided[0].meet(one[0])] if len(avoided) == 3 else free
+            for box, spot, text, size in free:
+                if not any(signs.meet(box) for signs in avoided[1:]):
+                    self._texts.add(box)
+                    mask = {"bbox": {"fc": "white", "ec": "none", "boxstyle": f"square,pad={MASK / size:.3f}"}}
+                    self._write(spot, text, size, color, box, (mask if len(avoided) == 2 else {}) | style)
+                    return True
         return False
 
     def fits(self, words: str, length: float, size: float = TEXT) -> bool:
@@ -233,7 +255,8 @@ class Sheet:
 
     @staticmethod
     def _box(spot: Spot, words: str, size: float) -> np.ndarray:
-        wide, high = text_size(words, size)
+        sizes = [text_size(line, size) for line in words.split("\n")]
+        wide, high = max(wide for wide, _ in sizes), sizes[0][1] + (len(sizes) - 1) * LINES * size / INCH
         return corners_of(spot, wide + 2.0 * GAP, high + GAP)
 
     # --- legend and end
@@ -288,10 +311,23 @@ class Sheet:
         """The abscissa of the right edge of the drawing, inches."""
         return float(self._high[0])
 
+    def _draw_round(self, lines: Sequence[np.ndarray], color: str, width: float) -> None:
+        """Let texts that have a choice avoid lines that are seen; `width` in points."""
+        if _is_seen(color):
+            ends = [np.concatenate([points[part] for points in lines]) for part in (slice(-1), slice(1, None))]
+            self._lines.add_lines(ends[0], ends[1], width / INCH)
+
     def _reach(self, points: np.ndarray) -> None:
         if len(points):
             self._low = np.minimum(self._low, points.min(axis=0))
             self._high = np.maximum(self._high, points.max(axis=0))
+
+
+@lru_cache(maxsize=64)
+def _is_seen(color: str) -> bool:
+    from matplotlib.colors import to_rgba
+
+    return contrast(to_rgba(color)) >= SEEN
 
 
 def unwritten(texts: Sequence[str]) -> list[Entry]:

@@ -190,6 +190,11 @@ def chosen(what: str, selection: NumberSelection | LineSelection) -> str:
     return f"{what} {text}" if text.isalnum() else f"{what}s {text.strip('[]')}"
 
 
+def in_two_lines(words: str, blank: str = " (") -> list[str]:
+    """Return a text in one line, and if it has that blank in two: ways to write it, see `Sheet.place`."""
+    return list(dict.fromkeys((words, words.replace(blank, f"{blank.rstrip(' (')}\n{blank.lstrip(' ,')}", 1))))
+
+
 def section_words(name: str, section: Section | SpaceSection) -> str:
     """Return the dimensions of a section that the project or building defines, in words."""
     if isinstance(section, PlateSection):

@@ -10,6 +10,7 @@ import numpy as np
 
 from edesign.archive.reader import Archive
 from edesign.report.drawing.captions import plain
+from edesign.report.drawing.panels import LINE
 from edesign.report.drawing.style import BESIDE, MEAN, VARIANTS, legend_label, new_figure, some_of, styled
 from edesign.report.drawing.text_size import text_size
 from edesign.report.response.directions import in_each_direction
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 
 MOST = 4  # modes in a figure
 _STYLES = ("-", "--", "-.", ":")
+FLOOR, TALLEST = 0.45, 5.5  # inches of a storey, and of the panels at most
 PERIOD = 7.5  # points, of the periods above a mode
 
 
@@ -86,8 +88,9 @@ def mode_figure(structures: Sequence[Shapes]) -> Figure:
     """
     count = min(MOST, max(one.period.size for one in structures))
     periods = [f"{one.label} {plain(float(period))} s" for one in structures for period in one.period[:count]]
-    wide = max(1.45, BESIDE + max(text_size(words, PERIOD)[0] for words in periods))
-    figure, (cells,) = new_figure(1, count, 0.6 + wide * count, 3.3 + 0.14 * len(structures))
+    wide = max(min(2.6, (LINE - 0.6) / count), BESIDE + max(text_size(words, PERIOD)[0] for words in periods))
+    high = min(TALLEST, max(3.3, FLOOR * (structures[0].shape.shape[1] - 1)))
+    figure, (cells,) = new_figure(1, count, 0.6 + wide * count, 0.7 + high + 0.14 * len(structures))
     for mode, axis in enumerate(cells):
         floors = np.arange(structures[0].shape.shape[1])
         axis.axvline(0.0, color=MEAN, lw=0.6)

@@ -21,7 +21,7 @@ from edesign.report.building.basis_tables import floors_table, joints_table, ove
 from edesign.report.building.checks import member_tables, worked_table, worked_worst
 from edesign.report.building.curves import mode_shapes
 from edesign.report.building.other_tables import other_tables
-from edesign.report.building.plans import _different_storeys, _runs
+from edesign.report.building.plans import _alike, _runs
 from edesign.report.building.results import BuildingResults
 from edesign.report.building.tables import remarks
 from edesign.report.html.render import formula
@@ -141,7 +141,7 @@ def test_figures_are_drawn_as_files(results: BuildingResults) -> None:
 
 
 def test_plans_of_storeys_that_are_alike_are_one(results: BuildingResults) -> None:
-    assert _different_storeys(results) == [[1, 2]]
+    assert [storeys for storeys, _ in _alike(results)] == [[1, 2]]
     assert _runs([1, 2, 3, 5, 7, 8]) == "1-3, 5, 7-8"
 
 
