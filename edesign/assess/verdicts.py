@@ -51,6 +51,7 @@ class Verdict:
         applies: False: it means nothing of this variant, or the study runs no history of it at this level.
         from_below: the value must not be less than the limit.
         of_target: it is of states at target displacements, and not of histories.
+        source: of the limit, where no criterion says it.
     """
 
     name: str
@@ -76,6 +77,7 @@ class Verdict:
     applies: bool = True
     from_below: bool = False
     of_target: bool = False
+    source: str = ""
 
     @property
     def answer(self) -> Answer:

@@ -10,7 +10,6 @@ from typing import NamedTuple
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.assess.sets import history_sets
-from edesign.assess.verdicts import judge
 from edesign.errors import EdesignError
 from edesign.project.study.study import Study
 from edesign.report.archive_view import all_results, design_warnings, ending, entry, input_warnings
@@ -21,6 +20,7 @@ from edesign.report.assessment.derived_tables import derived_tables
 from edesign.report.assessment.measure_columns import MEASURE_ROWS, Measure
 from edesign.report.assessment.response_in_short import response_in_short
 from edesign.report.assessment.tables import read_histories, read_judged
+from edesign.report.assessment.verdict_data import verdicts_of, warnings_of_braces
 from edesign.report.assessment.verdicts_in_short import verdicts_in_short
 from edesign.report.capacity.incremental_tables import incremental_tables
 from edesign.report.capacity.pushover_tables import STATES_IN_SHORT, states_table
@@ -100,13 +100,16 @@ def short_study_tables(archive: Archive, top: Table) -> list[Table]:
             raise
         study = None
     of_kind = _of_project(archive, groups) if study is None else _of_study(archive, study, groups)
-    return _with_ends(archive, top, groups, of_kind)
+    braces = warnings_of_braces(archive, study, history_sets(groups))
+    return _with_ends(archive, top, groups, of_kind, braces)
 
 
-def _with_ends(archive: Archive, top: Table, groups: dict[str, Group], tables: list[Table]) -> list[Table]:
-    """The tables below the warnings; the ends of analyses are added to the heading."""
+def _with_ends(
+    archive: Archive, top: Table, groups: dict[str, Group], tables: list[Table], braces: Sequence[str] = ()
+) -> list[Table]:
+    """The tables below the warnings, those of braces among them; the ends of analyses are added to the heading."""
     _add_ends(top, groups, [place for place in archive.damage if place.startswith(ANALYSES)])
-    return [_warnings(archive, groups), *tables]
+    return [_warnings(archive, groups, braces), *tables]
 
 
 def _of_study(archive: Archive, study: Study, groups: dict[str, Group]) -> list[Table]:
@@ -116,9 +119,7 @@ def _of_study(archive: Archive, study: Study, groups: dict[str, Group]) -> list[
     governing: list[Table] = []
     if not sets:
         tables += designs_tables(archive, study, sets)
-    if study.criteria or study.objectives:
-        judged = read_judged(archive, groups)
-        found = judge(study.criteria, study.objectives, judged, study.base, study)
+    if found := verdicts_of(archive, study, read_judged(archive, groups), study.objectives):
         verdicts, *others = verdicts_in_short(found, study.base.hazard)
         tables.append(verdicts)
         governing += others
@@ -212,9 +213,9 @@ def _of_analysis(item: Entry) -> Column[Measure]:
     return col(name, ONE, lambda row: row.cell(item["measures"][row.name]))
 
 
-def _warnings(archive: Archive, groups: dict[str, Group]) -> Table:
+def _warnings(archive: Archive, groups: dict[str, Group], braces: Sequence[str]) -> Table:
     """The first warnings, and how many there are."""
-    found = [*input_warnings(archive), *design_warnings(archive), *warning_lines(groups)]
+    found = [*braces, *input_warnings(archive), *design_warnings(archive), *warning_lines(groups)]
     found = [shorten(text, 2 * PAPER, placeholder=" ...") for text in found]
     if len(found) > WARNINGS_SHOWN + 1:
         found = [*found[:WARNINGS_SHOWN], f"and {len(found) - WARNINGS_SHOWN} more"]

@@ -6,13 +6,16 @@ from collections.abc import Sequence
 from typing import Any
 
 from edesign.archive.reader import Archive
+from edesign.assess.sets import history_sets
 from edesign.errors import EdesignError
 from edesign.report.archive.kind import ArchiveKind, Figures
 from edesign.report.archive.project import analyses_summary, analysis_sections, missing_analyses
 from edesign.report.archive.project_tables import project_tables, warnings_table
 from edesign.report.archive.short_tables import short_study_tables
 from edesign.report.archive.study_tables import study_tables
-from edesign.report.assessment.verdict_data import study_verdicts, verdict_entry
+from edesign.report.archived import archived_study
+from edesign.report.assessment.tables import read_histories
+from edesign.report.assessment.verdict_data import study_verdicts, verdict_entry, warnings_of_braces
 from edesign.report.ground_motion.record_tables import tables_of
 from edesign.report.tables.number import finite
 from edesign.report.tables.table import Table
@@ -46,6 +49,7 @@ def _summary(archive: Archive, names: Sequence[str], whole: bool) -> tuple[dict[
         return found, warnings
     verdicts: list[dict[str, Any]] = []
     try:
+        warnings += warnings_of_braces(archive, archived_study(archive), history_sets(read_histories(archive)))
         verdicts = finite([verdict_entry(verdict) for verdict in study_verdicts(archive)])
     except EdesignError as error:
         warnings.append(f"criteria are not judged: {error}")

@@ -20,6 +20,7 @@ from edesign.report.assessment.derived_results import not_swept
 from edesign.report.assessment.derived_tables import derived_tables
 from edesign.report.assessment.measure_tables import statistics_tables
 from edesign.report.assessment.tables import read_histories, read_judged
+from edesign.report.assessment.verdict_data import verdicts_of
 from edesign.report.assessment.verdict_tables import objectives_table, performance_tables, verdicts_tables
 from edesign.report.capacity.incremental_tables import incremental_tables
 from edesign.report.capacity.pushover_tables import target_tables
@@ -116,13 +117,13 @@ def study_tables(archive: Archive) -> list[Table]:
     tables += derived_tables(study, sets)
     tables += target_tables(study.base, groups, study)
     judged = read_judged(archive, groups)
-    if study.criteria:
-        tables += verdicts_tables(judge(study.criteria, (), judged, study.base, study), study.base.hazard)
+    if verdicts := verdicts_of(archive, study, judged):
+        tables += verdicts_tables(verdicts, study.base.hazard)
     if sets:
         tables += performance_tables(not_swept(study, sets), VariantMembers(study.base, study), study.criteria, groups)
     if study.objectives:
-        verdicts = judge((), study.objectives, judged, study.base, study)
-        tables.append(objectives_table(verdicts, study.objectives, study.base))
+        of_objectives = judge((), study.objectives, judged, study.base, study)
+        tables.append(objectives_table(of_objectives, study.objectives, study.base))
     tables += incremental_tables(archive, groups)
     tables += ground_tables(groups)
     tables += member_tables(not_swept(study, sets), study.base.hazard, archived_design(archive))

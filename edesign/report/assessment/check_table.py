@@ -73,7 +73,7 @@ def check_table(verdicts: Sequence[Verdict], criteria: Sequence[Criterion]) -> T
         criteria: of the study.
     """
     sources = {criterion.name: source_of(criterion) for criterion in criteria}
-    checks = [_Check(found, sources.get(found.name, "")) for found in verdicts]
+    checks = [_Check(found, sources.get(found.name, found.source)) for found in verdicts]
     return CHECKS.of(checks, notes=() if all(check.source for check in checks) else (UNKNOWN,))
 
 

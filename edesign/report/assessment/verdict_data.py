@@ -2,28 +2,61 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from edesign.archive.csv_files import Cell, write_csv_file
+from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
+from edesign.assess.held_braces import brace_verdicts, brace_warnings
 from edesign.assess.requirement import DEMAND_OVER_CAPACITY
+from edesign.assess.sets import HistorySet, history_sets
 from edesign.assess.verdicts import Verdict, judge
 from edesign.errors import InputError
+from edesign.project.criteria.criteria import Objectives
+from edesign.project.study.study import Study
 from edesign.report.archived import archived_study
 from edesign.report.assessment.tables import read_judged
+from edesign.study.results.kinds import DESIGNS
 
 
 def study_verdicts(archive: Archive) -> tuple[Verdict, ...]:
-    """Return the verdicts on all criteria of the study that an archive is of, () where it is of none.
+    """Return all verdicts on the study that an archive is of, () where it is of none; see `verdicts_of`.
 
     Raises:
         ArchiveError: the archive cannot be read.
         InputError: the study that it holds is not one of this version.
     """
     study = archived_study(archive)
-    if study is None or not study.criteria:
-        return ()
-    return judge(study.criteria, (), read_judged(archive), study.base, study)
+    return () if study is None else verdicts_of(archive, study, read_judged(archive))
+
+
+def verdicts_of(
+    archive: Archive, study: Study, judged: Mapping[str, Group], objectives: Objectives = ()
+) -> tuple[Verdict, ...]:
+    """Return the verdicts on the criteria of a study, on objectives, and on the braces of its designs.
+
+    Args:
+        study: that the archive holds.
+        judged: histories and states at target displacements, by name.
+        objectives: of the study; none where they are told apart.
+    """
+    found = judge(study.criteria, objectives, judged, study.base, study)
+    return (*found, *brace_verdicts(read_designs(archive), history_sets(judged), study))
+
+
+def warnings_of_braces(archive: Archive, study: Study | None, sets: Sequence[HistorySet]) -> list[str]:
+    """Return a sentence for each design, variant and level whose histories its braces do not hold.
+
+    Args:
+        study: that the archive holds; None: it is of a project, or cannot be read.
+    """
+    return [] if study is None else brace_warnings(read_designs(archive), sets, study)
+
+
+def read_designs(archive: Archive) -> dict[str, Group]:
+    """Return the designs of an archive by name."""
+    return {name: archive.group(f"{DESIGNS}/{name}") for name in archive.names(DESIGNS)}
 
 
 def verdict_entry(verdict: Verdict) -> dict[str, Cell]:

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.assess.devices import names_of_dampers, place_forces
+from edesign.assess.held_braces import brace_forces
 from edesign.assess.sets import HistorySet
 from edesign.codes.motion_sets import SetRules
 from edesign.report.tables.column import col, count, text
@@ -91,18 +91,15 @@ def braces_table(group: Group, sets: Sequence[HistorySet], variants: Mapping[str
 def _rows(
     group: Group, sets: Sequence[HistorySet], variants: Mapping[str, float], rules: SetRules
 ) -> Iterator[_Braces]:
-    storeys = np.asarray(group.coords["storey"].values)
-    own = names_of_dampers(group)
     found = [(f"{one.variant}, {one.level}".rstrip(", "), one) for one in sets if one.variant in variants]
     first = "design" if _verified(group) else "estimate"
-    forces = {whose: place_forces(one, storeys, own, rules) for whose, one in found}
+    forces = {whose: brace_forces(group, one, rules) for whose, one in found}
     for storey in places({"": group}, "storey"):
         section = str(group.variables["brace_section"].values[storey.number])
         yield _Braces(first, storey, section, storey.known("brace_force"))
-        factor = storey.known("brace_share") * storey.known("brace_force_factor")
         for whose, force in forces.items():
             if force is not None:
-                yield _Braces(whose, storey, section, float(factor * force[storey.number]))
+                yield _Braces(whose, storey, section, float(force[storey.number]))
 
 
 def _verified(group: Group) -> bool:

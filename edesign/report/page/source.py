@@ -14,7 +14,7 @@ from edesign.archive.reader import Archive
 from edesign.assess.members import gravity_states
 from edesign.assess.sets import HistorySet, history_sets, measure_statistics, target_sets
 from edesign.assess.statistics import Statistics
-from edesign.assess.verdicts import Verdict, judge
+from edesign.assess.verdicts import Verdict
 from edesign.errors import EdesignError
 from edesign.optional_stages import optional
 from edesign.project.analysis_file import AnalysisFile
@@ -25,6 +25,7 @@ from edesign.project.study.study import Study
 from edesign.report.archive_view import entry, planned, results
 from edesign.report.archived import archived_building, archived_project, archived_study
 from edesign.report.assessment.tables import read_histories, read_judged
+from edesign.report.assessment.verdict_data import verdicts_of
 from edesign.report.capacity.incremental_results import IncrementalResults, read_incremental
 from edesign.report.drawing.captions import UniqueNames, file_name
 from edesign.report.html.section import Folded, Heading, Part, Picture, Section, Warnings, made
@@ -128,10 +129,10 @@ class Source:
 
     @cached_property
     def verdicts(self) -> tuple[Verdict, ...]:
-        """Verdicts on the criteria of the study; none where none are given."""
+        """Verdicts on the criteria of the study and the braces of its designs; none where none are given."""
         if self.study is None or not (self.sets or self.targets):
             return ()
-        return judge(self.study.criteria, (), self.judged_histories, self.study.base, self.study)
+        return verdicts_of(self.archive, self.study, self.judged_histories)
 
     @cached_property
     def incremental(self) -> list[IncrementalResults]:

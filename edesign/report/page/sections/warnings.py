@@ -8,6 +8,7 @@ from operator import itemgetter
 
 from edesign.archive.reader import Archive
 from edesign.report.archive_view import design_warnings, input_warnings
+from edesign.report.assessment.verdict_data import warnings_of_braces
 from edesign.report.html.section import Facts, Section
 from edesign.report.page.source import Source
 from edesign.report.tables.column import text
@@ -44,6 +45,7 @@ def warning_table(source: Source) -> Table:
     if len(failed) > NAMED:
         rows.append((f"{len(failed) - NAMED} more analyses", "Failed; the table of all analyses names them."))
     lines = [*input_warnings(source.archive), *record_warnings(source.archive), *design_warnings(source.archive)]
+    lines += warnings_of_braces(source.archive, source.study, source.sets)
     rows += [_apart(line) for line in dict.fromkeys(lines)]
     for grouped in grouped_warnings(source.groups):
         if grouped.count == 1:

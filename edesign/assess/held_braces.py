@@ -1,0 +1,148 @@
+"""Braces of dampers under the forces of histories: whether those of a design hold, as verdicts and as warnings."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.assess.devices import names_of_dampers, place_forces
+from edesign.assess.requirement import DEMAND_OVER_CAPACITY
+from edesign.assess.sets import HistorySet
+from edesign.assess.verdicts import Verdict
+from edesign.codes.motion_sets import SetRules
+from edesign.ground_motion.hazard import factor_of_level, rules_in_force
+from edesign.project.study.study import Study, own_variant
+
+CLAUSE = "EN 1993-1-1, 6.3.1"
+
+
+@dataclass(frozen=True)
+class HeldBraces:
+    """The braces of a design under the histories of one variant at one level.
+
+    Attributes:
+        design: its name.
+        found: the histories.
+        asked: whether the braces are to hold at this level: their own one, or one below it.
+        level: their own one.
+        storeys: with dampers, (s,).
+        use: N_Ed / N_b,Rd of the storeys, (s,); None: no history was completed.
+        statistic: over the motions.
+    """
+
+    design: str
+    found: HistorySet
+    asked: bool
+    level: str
+    storeys: np.ndarray
+    use: np.ndarray | None
+    statistic: str
+
+    @property
+    def where(self) -> str:
+        """The storeys whose braces do not hold, and the largest use, in words; empty if all hold."""
+        if self.use is None or not (self.use > 1.0).any():
+            return ""
+        beyond = ", ".join(str(storey) for storey in self.storeys[self.use > 1.0])
+        return f"storey {beyond}, N_Ed / N_b,Rd up to {self.use.max():.3g}"
+
+
+def brace_forces(design: Group, found: HistorySet, rules: SetRules) -> np.ndarray | None:
+    """Return N_Ed of one brace in each storey of a design under histories, (s,) N; None: no history was completed.
+
+    Args:
+        design: designs/NAME of an archive, whose braces have sections.
+        rules: of the code in force, from how many motions on the mean counts.
+    """
+    force = place_forces(found, np.asarray(design.coords["storey"].values), names_of_dampers(design), rules)
+    if force is None:
+        return None
+    values = design.variables
+    return np.asarray(values["brace_share"].values * values["brace_force_factor"].values * force)
+
+
+def held_braces(designs: Mapping[str, Group], sets: Sequence[HistorySet], study: Study) -> Iterator[HeldBraces]:
+    """Yield the braces of each design that has sections, for each set of histories of a variant with its dampers.
+
+    Args:
+        designs: of the archive, by name.
+    """
+    rules, hazard = rules_in_force(study.base.hazard), study.base.hazard
+    for name, design in designs.items():
+        if "brace_section" not in design.variables:
+            continue
+        own, storeys = str(design.attributes.get("brace_level") or ""), np.asarray(design.coords["storey"].values)
+        for found in sets:
+            variant = study.variants.get(own_variant(found.variant))
+            if variant is None or name not in variant.designs or found.method is not None:
+                continue
+            below = hazard is not None and bool(own and found.level)
+            below = below and factor_of_level(hazard, found.level) < factor_of_level(hazard, own)
+            forces = brace_forces(design, found, rules)
+            use = None if forces is None else forces / design.variables["brace_resistance"].values
+            statistic = "mean" if found.motions >= rules.number_for_mean else "maximum"
+            yield HeldBraces(name, found, below or found.level == own, own, storeys, use, statistic)
+
+
+def brace_verdicts(designs: Mapping[str, Group], sets: Sequence[HistorySet], study: Study) -> tuple[Verdict, ...]:
+    """Return a verdict on the braces of each design, variant and level at which they are to hold.
+
+    Args:
+        designs: of the archive, by name.
+
+    Source: EN 1993-1-1:2005, 6.3.1.
+    """
+    verdicts = []
+    for one in held_braces(designs, sets, study):
+        if not one.asked:
+            continue
+        found, most = one.found, None if one.use is None else int(np.argmax(one.use))
+        value = None if one.use is None or most is None else float(one.use[most])
+        met = None if value is None and not found.failed else not found.failed and value is not None and value <= 1.0
+        if met and found.not_run:
+            met = None
+        words = f"N_Ed <= N_b,Rd of the braces of design {one.design}, under its dampers with all factors"
+        remark = "failed histories count as beyond the limit" if found.failed else one.where
+        counts = len(found.completed), tuple(name for name in found.histories if name not in found.completed)
+        verdicts.append(
+            Verdict(
+                f"braces of {one.design}",
+                words,
+                found.label,
+                found.level,
+                one.statistic,
+                value,
+                1.0,
+                DEMAND_OVER_CAPACITY,
+                met,
+                remark,
+                "",
+                None if most is None else int(one.storeys[most]),
+                "",
+                *counts,
+                motions=found.motions if found.motions < len(found.histories) else None,
+                source=CLAUSE,
+            )
+        )
+    return tuple(verdicts)
+
+
+def brace_warnings(designs: Mapping[str, Group], sets: Sequence[HistorySet], study: Study) -> list[str]:
+    """Return a sentence for each design, variant and level whose histories the braces do not hold.
+
+    Histories count braces as elastic, so that those with more force than they hold are of another structure.
+
+    Args:
+        designs: of the archive, by name.
+    """
+    found = []
+    for one in held_braces(designs, sets, study):
+        if one.where:
+            at = ", ".join(filter(None, (one.found.variant, one.found.level)))
+            level = f"; `level: {one.found.level}` of its `brace` asks for it" if one.found.level else ""
+            why = "" if one.asked else f": they are to hold at {one.level} alone{level}"
+            found.append(f"design {one.design}: the braces do not hold in {at}: {one.where}{why}")
+    return found
