@@ -72,13 +72,12 @@ def candidates(
             if math.isinf(as_strut.squash):
                 message = f"`{asked.material}` does not yield, so that nothing limits its braces; give one with `fy`"
                 raise InputError(f"{where}.material: {message} [E-DAMPER-06]")
-            slender = asked.largest_slenderness is not None and as_strut.slenderness > asked.largest_slenderness
-            if slender or _class(section, as_strut) > LARGEST_CLASS:
+            if as_strut.slenderness > asked.largest_slenderness or _class(section, as_strut) > LARGEST_CLASS:
                 left_out.append(section.name)
                 continue
             found[section.name] = Candidate(section.name, axial, as_strut, DENSITY * section.A)
     if not found:
-        why = "are of class 4 in compression, or too slender"
+        why = f"are of class 4 in compression, or more slender than {asked.largest_slenderness:g}"
         raise InputError(f"{where}.choose: all of {listed(left_out)} {why} [E-DAMPER-06]")
     return tuple(sorted(found.values(), key=lambda one: (one.line, one.section)))
 

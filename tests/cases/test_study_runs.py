@@ -140,7 +140,7 @@ def test_a_run_makes_designs_and_histories_and_judges_them(
     lines = reported.stderr.splitlines()
     first = next(at for at, line in enumerate(lines) if line.startswith("[1/29] bare.modes: completed"))
     rounds = [at for at, line in enumerate(lines) if line.startswith("design added: round 1 of at most ")]
-    assert rounds[0] < first and lines[rounds[0]].endswith(", target damping ratio, or beta 0.04")
+    assert rounds[0] < first and lines[rounds[0]].endswith(", target damping 4 %")
     assert f"[{PLANNED}/{PLANNED}] damped.35C.DBE.first: completed" in reported.stderr
     assert "Traceback" not in reported.stderr and not archive.with_name("out.h5.partial").exists()
     for title in ("Verdicts", "Mean response of the records", "analyses  ", "All tables: edesign show"):

@@ -108,10 +108,10 @@ def test_a_device_gets_the_lightest_section_that_holds_it() -> None:
 @pytest.mark.parametrize(
     ("brace", "message"),
     [
-        ("{choose: [SHS50x5], material: S355, force: 300 kN}", "the strongest, SHS50x5, has N_b,Rd = "),
+        ("{choose: [SHS50x5], material: S355, force: 300 kN, largest_slenderness: 9}", "the strongest, SHS50x5, has N_b,Rd = "),
         ("{choose: [SHS100x4], material: S355, force: 9 kN, stiffness: 1 MN/mm}", "the stiffest, SHS100x4, has"),
         ("{choose: [CHS], material: S355, force: 9 kN}", "`CHS` has no list of sizes"),
-        ("{choose: [SHS300x4], material: S355, force: 9 kN}", "are of class 4 in compression, or too slender"),
+        ("{choose: [SHS300x4], material: S355, force: 9 kN}", "are of class 4 in compression, or more slender than 2"),
         ("{choose: [SHS100x4], material: elastic, force: 9 kN}", "does not yield"),
     ],
 )
@@ -241,7 +241,7 @@ def test_a_viscous_design_reaches_its_damping_behind_the_braces_that_it_chose() 
 def test_no_lighter_section_of_the_list_would_hold() -> None:
     text = "method: viscous, law: oil, kind: chevron, bays: 1, state: initial, level: DBE, damping: 12 %"
     lists = "SHS40x2.5, SHS60x3, SHS80x3.2, SHS100x4, SHS120x5, SHS140x6.3, SHS200x8"
-    _, result = braced(f"{text}, brace: {{choose: [{lists}], material: S355}}", OIL)
+    _, result = braced(f"{text}, brace: {{choose: [{lists}], material: S355, largest_slenderness: 9}}", OIL)
     chosen = [str(name) for name in of_storeys(result.group, "brace_section")]
     names = lists.split(", ")
     for i, name in enumerate(chosen):
@@ -255,7 +255,7 @@ def test_a_target_with_its_braces_counts_the_chosen_stiffness() -> None:
     """K'' / (2 (k_S + K')) = zeta with K of damper and brace in series, thesis Eq. 5.9 with braces."""
     text = "method: strain_energy, law: rubber, kind: chevron, bays: 1, state: initial, level: DBE, damping: 5 %"
     text += ", properties: {G_storage: 1 MPa, loss_factor: 0.4}, strain: 20 %, layer_thickness: 20 mm"
-    text += ", braces_in_target: true, brace: {choose: [SHS], material: S355, ratio: 4}"
+    text += ", braces_in_target: true, target_in: storeys, brace: {choose: [SHS], material: S355, ratio: 4}"
     _, result = braced(text, LAWS)
     group = result.group
     brace, storey, damper = (of_storeys(group, f"{name}_stiffness") for name in ("brace", "storey", "damper"))

@@ -67,7 +67,7 @@ def describe(report: Progress) -> str:
     """Return the report as a line; the reason of a failure may have more. Control characters are written out."""
     message = visible(report.message)
     if report.event == "note":
-        return message
+        return message + remaining(report.left, ", at most about ")
     name = place(report) + visible_line(report.analysis)
     if report.event == "start":
         return name

@@ -186,7 +186,7 @@ def _least(keys: Keys, spec: StrainEnergyDesign | ViscousDesign, problems: Probl
     summed, changes = _LEAST[spec.distribution]
     _needed(keys, spec, f"`distribution: {spec.distribution}` needs it", problems)
     for key in ("target_in", "damping"):
-        if getattr(spec, key, None) is not None:
+        if key in spec.model_fields_set:
             message = (
                 f"`distribution: {spec.distribution}` meets a drift with the least {summed}, whatever the damping"
                 " [E-DESIGN-06]"

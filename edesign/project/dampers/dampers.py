@@ -173,14 +173,15 @@ class AnyChosenBrace(Model):
         material: one of `materials`, that yields.
         buckling_length_factor: buckling length over the length between nodes, at least 0.1.
         overstrength: factor on the force of the dampers that the braces hold.
-        largest_slenderness: largest non-dimensional slenderness; without the key strength alone decides.
+        largest_slenderness: largest non-dimensional slenderness; without the key that of diagonals in EN 1998-1,
+            6.7.3.
     """
 
     choose: SectionChoice
     material: str
     buckling_length_factor: BucklingLengthFactor = 1.0
     overstrength: Raised | None = None
-    largest_slenderness: PositiveFactor | None = None
+    largest_slenderness: PositiveFactor = 2.0
 
 
 class ChosenBrace(AnyChosenBrace):

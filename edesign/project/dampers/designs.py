@@ -99,10 +99,15 @@ class DesignedBrace(AnyChosenBrace):
 
     Attributes:
         ratio: least stiffness of the braces of a storey together over that of the storey.
-        level: hazard level whose forces they hold; without the key that of the design.
+        same_depth: whether all storeys have one nominal depth.
+        most_sections: largest number of different sections.
+        level: hazard level whose forces they hold; without the key that of the design. The histories of `verify` run at
+            it too.
     """
 
     ratio: LeastBrace | None = None
+    same_depth: bool = False
+    most_sections: Count | None = None
     level: str | None = None
 
 
@@ -216,6 +221,14 @@ class _Design(Model):
     bounds: Bounds | None = None
 
     @property
+    def brace_level(self) -> str | None:
+        """Hazard level whose forces braces of sections hold; None: they have no sections, or no level is named."""
+        brace = getattr(self, "brace", None)
+        if not isinstance(brace, BraceSection | DesignedBrace):
+            return None
+        return getattr(brace, "level", None) or self.level
+
+    @property
     def runs(self) -> tuple[DesignRun, ...]:
         """The dampers of each kind: those of `places`, or the one of `kind` and `bays`."""
         if self.kind is not None and self.bays is not None:
@@ -260,19 +273,24 @@ class StrainEnergyDesign(_ElastomerDesign):
         method: a damping ratio of the first mode by modal strain energy.
         damping: damping ratio that the dampers add to the first mode; all distributions but `least_area` need it.
         brace: braces of a storey together along its drift.
-        braces_in_target: whether brace and damper together reach the target, not the damper alone.
+        braces_in_target: whether brace and damper together reach the target, not the damper alone; without the key they
+            do, as far as the braces let them.
         distribution: stiffness of the dampers over the height; `least_area` finds the least in sum for the `drift`, by
             the estimate or, with `verify`, by histories.
-        target_in: what has the target damping: each storey (Eq. 5.9) or the first mode (Eq. 5.6); without the key by
-            `distribution`.
+        target_in: what has the target damping: the first mode (Eq. 5.6) or each storey (Eq. 5.9).
     """
 
     method: Literal["strain_energy"]
     damping: PositiveRatio | None = None
     brace: Brace = "rigid"
-    braces_in_target: bool = False
+    braces_in_target: bool | None = None
     distribution: Literal["storey_stiffness", "uniform", "strain_energy", "least_area"] = "storey_stiffness"
-    target_in: Literal["storeys", "first_mode"] | None = None
+    target_in: Literal["storeys", "first_mode"] = "first_mode"
+
+    @property
+    def counts_braces(self) -> bool:
+        """Whether the target is of dampers and braces together."""
+        return self.brace != "rigid" if self.braces_in_target is None else self.braces_in_target
 
 
 class SimplifiedDesign(_ElastomerDesign):

@@ -8,7 +8,7 @@ from pathlib import Path
 from edesign.archive.csv_files import Cell, write_csv_file
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
-from edesign.assess.held_braces import brace_verdicts, brace_warnings
+from edesign.assess.judged_designs import brace_verdicts, brace_warnings, damping_verdicts
 from edesign.assess.requirement import DEMAND_OVER_CAPACITY
 from edesign.assess.sets import HistorySet, history_sets
 from edesign.assess.verdicts import Verdict, judge
@@ -34,7 +34,7 @@ def study_verdicts(archive: Archive) -> tuple[Verdict, ...]:
 def verdicts_of(
     archive: Archive, study: Study, judged: Mapping[str, Group], objectives: Objectives = ()
 ) -> tuple[Verdict, ...]:
-    """Return the verdicts on the criteria of a study, on objectives, and on the braces of its designs.
+    """Return the verdicts on the criteria of a study, on objectives, and on the damping and the braces of its designs.
 
     Args:
         study: that the archive holds.
@@ -42,7 +42,8 @@ def verdicts_of(
         objectives: of the study; none where they are told apart.
     """
     found = judge(study.criteria, objectives, judged, study.base, study)
-    return (*found, *brace_verdicts(read_designs(archive), history_sets(judged), study))
+    designs = read_designs(archive)
+    return (*found, *damping_verdicts(designs, study), *brace_verdicts(designs, history_sets(judged), study))
 
 
 def warnings_of_braces(archive: Archive, study: Study | None, sets: Sequence[HistorySet]) -> list[str]:

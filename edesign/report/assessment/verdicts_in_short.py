@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from edesign.assess.judged_designs import OF_DESIGN
 from edesign.assess.requirement import DEMAND_OVER_CAPACITY
 from edesign.assess.verdicts import Verdict
 from edesign.project.actions.hazard_base import Hazard
@@ -96,9 +97,10 @@ def _kept(grouped: Grouped, most: int) -> tuple[list[Row], int]:
 
 
 def _worst(verdicts: Sequence[Verdict], variants: Sequence[str]) -> Iterator[Verdict]:
-    """For each variant the criterion with the largest demand over capacity; nothing where none has a value."""
+    """For each variant the criterion with the largest demand over capacity in histories; nothing where none has one."""
     for variant in variants:
         own = [one for one in verdicts if one.variant == variant and one.applies and one.ratio is not None]
+        own = [one for one in own if one.statistic != OF_DESIGN]
         if own:
             yield max(own, key=lambda one: one.ratio or 0.0)
 

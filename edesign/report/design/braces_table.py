@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.assess.held_braces import brace_forces
+from edesign.assess.judged_designs import brace_forces
 from edesign.assess.sets import HistorySet
 from edesign.codes.motion_sets import SetRules
 from edesign.report.tables.column import col, count, text

@@ -132,6 +132,7 @@ ROUNDS = TableSpec[Place](
         col("in histories", PERCENT, _determined("round_history_strain"), optional=True),
         MORE,  # each criterion
         col("made least", ONE, at("round_objective"), optional=True),
+        col("braces", ONE, _determined("round_brace_use"), optional=True, digits=3),
         verdict("met", lambda one: yes_or_no(bool(one.value("round_met")))),
     ),
 )
@@ -275,6 +276,9 @@ def rounds_table(group: Group) -> Table:
         limits = zip(criteria.items(), values["verdict_limit"].values[-1], strict=True)
         said = [f"{name} {column.text(float(limit))} {column.unit_in_files}" for (name, column), limit in limits]
         notes.append(f"limits: {', '.join(one.rstrip() for one in said)}")
+    if "round_brace_use" in values:
+        level = group.attributes["history_force_level"]
+        notes.append(f"braces: the largest N_Ed / N_b,Rd by the forces of the histories at {level}")
     if "round_objective" in values:
         notes.append(f"made least: {values['round_objective'].long_name}")
     changed, unit = _changed(group)

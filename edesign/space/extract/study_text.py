@@ -132,6 +132,8 @@ designs:
     drift: {100.0 * limits.reached:.6g} %                        # {limits.reached_by}
     strain_limit: 50 %
     brace: {{ratio: 7}}                   # braces of a storey over its stiffness
+    braces_in_target: false             # the damping is of the dampers alone; behind the braces they add less
+    target_in: storeys                  # in each storey by itself, thesis Eq. 5.9
     verify: {{{proved}, criteria: [drift, residual drift], free_vibration: 20 s}}
 
 variants:

@@ -14,7 +14,7 @@ from edesign.codes.ec3.section import DENSITY
 from edesign.codes.motion_sets import SetRules
 from edesign.errors import InputError
 from edesign.frame.bays import frame_sites
-from edesign.frame.chosen_braces import Candidate, candidates, first_that_holds, why_none
+from edesign.frame.chosen_braces import Candidate, candidates, why_none
 from edesign.frame.device_places import DamperSites, DevicePlace
 from edesign.frame.sections.building_sections import BuildingSections
 from edesign.project.analysis_file import AnalysisFile
@@ -23,6 +23,7 @@ from edesign.project.dampers.dampers import BraceSection
 from edesign.project.dampers.designs import DesignedBrace, HeldBrace
 from edesign.project.project import Project
 from edesign.space.nonlinear.bays import building_sites
+from edesign.study.design.alike_braces import alike
 
 Numbers = tuple[int, ...]
 """Of the section of each storey with dampers among those that it may have."""
@@ -131,33 +132,56 @@ class DesignBraces:
         nothing = np.zeros(len(self._places))
         return self.following((0,) * self._storeys.size, nothing)
 
-    def following(self, numbers: Numbers, force: np.ndarray) -> Numbers:
+    def following(self, numbers: Numbers, force: np.ndarray, strongest: bool = False) -> Numbers:
         """Return the lightest sections that hold forces, none lighter than those of `numbers`.
 
         Args:
             force: of the dampers of each place along them, with all factors, (d,) N.
+            strongest: whether the strongest that are stiff enough are taken where none holds an estimate.
 
         Raises:
             InputError: there are none in a storey.
         """
-        if not self.chosen:
+        brace = self.brace
+        if not isinstance(brace, DesignedBrace):
             return numbers
-        return tuple(self._following(i, begin, force) for i, begin in enumerate(numbers))
+        holds = [self._holding(i, begin, force, strongest) for i, begin in enumerate(numbers)]
+        if not (brace.same_depth or brace.most_sections):
+            return tuple(int(np.argmax(of)) for of in holds)
+        own = [np.flatnonzero(self._of == i) for i in range(self._storeys.size)]
+        lists = [self._among[of[0]] for of in own]
+        names = list(dict.fromkeys(one.section for among in lists for one in among))
+        mass = np.full((len(own), len(names)), np.inf)
+        for i, among in enumerate(lists):
+            lengths = sum(self._places[d].braces * self._places[d].length for d in own[i])
+            for number in np.flatnonzero(holds[i]):
+                mass[i, names.index(among[number].section)] = among[number].line * lengths
+        chosen = alike(names, mass, brace.same_depth, brace.most_sections)
+        if chosen is None:
+            asked = "one nominal depth" if brace.same_depth else f"{brace.most_sections} sections"
+            raise InputError(f"brace.choose: no choice of {asked} holds the dampers of all storeys [E-DAMPER-06]")
+        found = [[one.section for one in among].index(name) for among, name in zip(lists, chosen, strict=True)]
+        return tuple(found)
 
-    def _following(self, i: int, begin: int, force: np.ndarray) -> int:
+    def _holding(self, i: int, begin: int, force: np.ndarray, strongest: bool) -> np.ndarray:
+        """Which sections of a storey hold forces of the places (d,) and are stiff enough, from a number on, (n,)."""
         own = np.flatnonzero(self._of == i)
         along = self._cosine[own] * np.array([self._places[d].cosine for d in own])  # of the braces to the drift
         of_storey = float(sum(along**2 * [self._places[d].braces / self._places[d].length for d in own]))
-        found = begin
+        found = np.ones(min(len(self._among[d]) for d in own), dtype=bool)
+        found[:begin] = False
         for d in own:
-            place, among = self._places[d], self._among[d]
+            place, among = self._places[d], self._among[d][: found.size]
             axial = self._least[i] / (of_storey * place.length)  # equal areas in the storey
+            stiff = found & np.array([one.axial >= axial * (1.0 - 1e-12) for one in among])
+            resistance = np.array([one.strut.resistance for one in among])
             least = force[d] * place.share
-            number = first_that_holds(among, least, axial, begin)
-            if number is None:
+            found = stiff & (resistance >= least)
+            if not found.any() and strongest and stiff.any():
+                found = stiff & (resistance >= resistance[stiff].max())
+            if not found.any():
                 why = why_none(among, least, axial)
                 raise InputError(f"brace.choose: storey {self._storeys[i]}: {why} [E-DAMPER-06]")
-            found = max(found, number)
         return found
 
     def stiffness(self, numbers: Numbers) -> np.ndarray:

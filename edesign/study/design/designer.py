@@ -14,14 +14,15 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.codes.device_factors import NONE
 from edesign.damper.factored import force_ratio
-from edesign.errors import InputError
+from edesign.errors import AnalysisError, InputError
 from edesign.ground_motion.hazard import rules_in_force
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.dampers import Brace, BraceStiffness, Dampers
-from edesign.project.dampers.designs import DesignRun, Optimum, SizedDesign
+from edesign.project.dampers.designs import DesignRun, Optimum, SizedDesign, StrainEnergyDesign
+from edesign.project.reading.words import percent
 from edesign.study.design.beside import NOTHING_BESIDE, Standing, standing
 from edesign.study.design.bounds import Bound, analyse_bounds
-from edesign.study.design.braces import history_forces
+from edesign.study.design.braces import Numbers, history_forces
 from edesign.study.design.building import Building, make_building, per_storey, sized_dampers
 from edesign.study.design.device_model import DeviceModel, Sizing
 from edesign.study.design.device_text import devices_text
@@ -44,7 +45,6 @@ from edesign.study.design.results import (
 from edesign.study.design.verification import Judge, Respond, histories_at, judged, kept_outcome, mean_drift
 
 S = TypeVar("S", bound=Sizing)
-REACHABLE = 0.95  # of the largest damping: towards it the dampers grow without limit
 
 
 class Designer(ABC, Generic[S]):
@@ -52,12 +52,14 @@ class Designer(ABC, Generic[S]):
 
     Attributes:
         words: of what the loop may change, by its name.
+        target_word: what the target of this design is, for people.
         results: what is archived of its dampers.
         model: of its dampers in the frame.
         factors: of the code, on stroke and velocity of the dampers, and on what holds them.
     """
 
     words: ClassVar[Mapping[str, str]]
+    target_word: str = "target damping"
     results: ClassVar[Results]
     model: DeviceModel[Any, Any]
 
@@ -75,6 +77,7 @@ class Designer(ABC, Generic[S]):
         self.action: Action | None = make_action(project, spec)
         self.factors = NONE
         self._share: np.ndarray | None = None
+        self._lightest: Numbers = ()
 
     @property
     @abstractmethod
@@ -130,7 +133,7 @@ class Designer(ABC, Generic[S]):
         """Return a sizing whose braces hold its dampers; as it is where the braces have no sections.
 
         From the lightest sections on, those that do not hold the dampers become heavier, and the dampers are sized anew
-        behind them, until all hold.
+        behind them, until all hold. Where histories are to decide, an estimate that no section holds has the strongest.
 
         Args:
             size: makes a sizing with the present braces.
@@ -141,13 +144,14 @@ class Designer(ABC, Generic[S]):
         model = self.model
         if model.holding is None:
             return size()
-        numbers = model.holding.first()
+        numbers, undecided = self._lightest or model.holding.first(), self._spec.verify is not None
         while True:
             model.hold(numbers)
             sizing = replace(size(), braces=numbers)
             if sizing.reason or not model.holding.chosen:
                 return sizing
-            following = model.holding.following(numbers, self._factored(sizing))
+            strongest = undecided and self._share is None
+            following = model.holding.following(numbers, self._factored(sizing), strongest)
             if following == numbers:
                 return sizing
             numbers = following
@@ -198,6 +202,20 @@ class Designer(ABC, Generic[S]):
         action = self._brace_action if outcome.force_level == self._brace_level else self.action
         estimated = of_storeys(self.building, self._estimate(chosen.sizing, action).damper_force)
         self._share = np.array(outcome.force) / estimated
+
+    def _brace_use(self, one: Round[S]) -> float:
+        """The largest N_Ed / N_b,Rd of the braces of a round by the forces of its histories; nan: they are not known.
+
+        What later sizings learn of histories stays as it is.
+        """
+        model, share = self.model, self._share
+        if model.holding is None or one.outcome is None or not one.outcome.force:
+            return math.nan
+        model.hold(one.sizing.braces)
+        self._compare(one)
+        use = model.holding.use(one.sizing.braces, self._factored(one.sizing)).use
+        self._share = share
+        return float(use.max())
 
     def _ratio(self, sizing: S, response: FrameEstimate) -> np.ndarray:
         """Force of the dampers at stroke and velocity times the factors of the code over that without, (d,)."""
@@ -364,25 +382,70 @@ class Designer(ABC, Generic[S]):
         kept = self._kept(keep)
         optimum: Optimum | None = getattr(self._spec, "optimum", None)
         if optimum is not None:
-            return search_optimum(self.make, tried, optimum.range, optimum.least, verify.rounds, verify.precision, kept)
-        if least is not None:
+            ends = (optimum.range, optimum.least, verify.rounds, verify.precision)
+            done = search_optimum(self.make, tried, *ends, kept)
+        elif least is not None:
             first, sizes, made = least
-            ends = (verify.rounds, verify.precision, kept, self.settled)
-            return search_fully_stressed(first, made, tried, sizes, *ends)
-        limits = (start, largest, verify.rounds, verify.precision)
-        return search(self.make, tried, *limits, kept, self._value, self.settled)
+            done = search_fully_stressed(first, made, tried, sizes, verify.rounds, verify.precision, kept, self.settled)
+            per_size = sizes.first / first.size
+            return self._until_held(done, tried, kept, lambda one: made(per_size * one.sizing.size))
+        else:
+            limits = (start, largest, verify.rounds, verify.precision)
+            done = search(self.make, tried, *limits, kept, self._value, self.settled)
+        return self._until_held(done, tried, kept, lambda one: self.make(one.changed))
+
+    def _until_held(
+        self,
+        done: Search[S],
+        verify: Callable[[S, int, float], RoundOutcome],
+        kept: Callable[[Sequence[Round[S]]], None],
+        again: Callable[[Round[S]], S],
+    ) -> Search[S]:
+        """Give the chosen round braces that hold the forces of its histories, in rounds beyond those of its search.
+
+        Each has the same target with heavier braces, until they hold, or no section of the lists does.
+
+        Args:
+            verify: returns the outcome of a sizing, of its round from 1, and of its value.
+            kept: called with all rounds after each.
+            again: sizes the dampers of a round anew, behind braces that hold the forces of its histories.
+        """
+        holding, rounds, one = self.model.holding, list(done.rounds), done.chosen
+        if done.reason or holding is None or not holding.chosen:
+            return done
+        before = one.outcome
+        while one.outcome is not None and one.outcome.brace_use > 1.0:
+            self.model.hold(one.sizing.braces)
+            self._compare(one)
+            try:
+                self._lightest = holding.following(one.sizing.braces, self._factored(one.sizing))
+                sizing = again(one)
+            except (InputError, AnalysisError) as error:
+                return Search(tuple(rounds), one, str(error))
+            one = Round(len(rounds) + 1, one.changed, sizing, verify(sizing, len(rounds) + 1, one.changed))
+            rounds.append(one)
+            kept(rounds)
+        missed = before is not None and before.met and one.outcome is not None and not one.outcome.met
+        reason = f"with braces that hold its dampers it misses: {one.outcome.misses}" if missed and one.outcome else ""
+        return Search(tuple(rounds), one, reason)
 
     def _outcomes(
         self, respond: Respond, judge: Judge, resume: Group | None, drifts: bool, rounds: int
     ) -> Callable[[S, int, float], RoundOutcome]:
         """The function that verifies a sizing by its histories, or takes the outcome of an earlier run."""
+        last: list[tuple[S, float]] = []
 
         def outcome(sizing: S, number: int, value: float) -> RoundOutcome:
             found = kept_outcome(resume, number, value, self._identity(sizing))
             if found is not None:
                 self.progress(f"round {number} is already there")
-                return found
-            self.progress(f"round {number} of at most {rounds}, {self.words[self.changed]} {value:.4g}")
+                return with_braces(sizing, number, value, found)
+            told = f"{value:.4g}" if self.changed != "target" or self.target_word == "beta" else percent(value)
+            word = self.target_word if self.changed == "target" else self.words[self.changed]
+            most = f"of at most {rounds}" if number <= rounds else "for heavier braces"
+            again = self._again(last[-1][0], sizing) if last and last[-1][1] == value else ""
+            last.append((sizing, value))
+            self.progress(f"round {number} {most}, {word} {told}{again}")
             histories = respond(self.dampers(sizing), number)
             at_level = histories_at(self._spec.level, self._spec.verify, histories)
             drift = mean_drift(at_level, self._spec.along) if drifts else ()
@@ -393,9 +456,24 @@ class Designer(ABC, Generic[S]):
             level = next((one for one in (self._brace_level, self._spec.level or "") if one in levels), "")
             rules = rules_in_force(self.project.hazard)
             force = history_forces(histories, level, self.building.storeys, self.building.names, rules)
-            return replace(found, force=force, force_level=level)
+            return with_braces(sizing, number, value, replace(found, force=force, force_level=level))
+
+        def with_braces(sizing: S, number: int, value: float, found: RoundOutcome) -> RoundOutcome:
+            return replace(found, brace_use=self._brace_use(Round(number, value, sizing, found)))
 
         return outcome
+
+    def _again(self, before: S, sizing: S) -> str:
+        """What a round with the same value as the one before has that this had not, in words."""
+        more = [i for i, (a, b) in enumerate(zip(before.braces, sizing.braces, strict=True)) if a != b]
+        found = [f"other braces in storey {', '.join(str(self.building.storeys[i]) for i in more)}"] if more else []
+        now, then = self.taken_strain(sizing), self.taken_strain(before)
+        found += [f"{percent(now)} strain, not {percent(then)}"] if abs(now - then) > 0.0 else []
+        return f", with {' and '.join(found)}" if found else ""
+
+    def taken_strain(self, sizing: S) -> float:
+        """Return the strain at which the properties of a sizing were taken; nan for dampers without layers."""
+        return math.nan
 
     def _kept(self, keep: Callable[[Group], None] | None) -> Callable[[Sequence[Round[S]]], None]:
         """The function that keeps all rounds after each of them; it does nothing where `keep` is None."""
@@ -424,7 +502,12 @@ def labels(spec: SizedDesign) -> dict[str, Any]:
         found["beside"] = list(spec.beside)
     found |= {"state": spec.state, "level": spec.level or ""}
     found["changed"] = spec.verify.change if spec.verify is not None else "target"
-    found |= {key: getattr(spec, key) for key in ("distribution", "braces_in_target") if hasattr(spec, key)}
+    if hasattr(spec, "distribution"):
+        found["distribution"] = spec.distribution
+    if (damping := getattr(spec, "damping", None)) is not None:
+        found["damping_target"] = damping
+    if isinstance(spec, StrainEnergyDesign):
+        found["braces_in_target"] = spec.counts_braces
     return found
 
 

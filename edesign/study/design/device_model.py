@@ -10,6 +10,7 @@ from typing import Any, Generic, TypeVar
 
 import numpy as np
 
+from edesign.assess.judged_designs import NEARLY
 from edesign.project.dampers.dampers import BraceSection
 from edesign.project.dampers.designs import (
     BraceRatio,
@@ -37,6 +38,7 @@ class Sizing:
         iterations: how they were found.
         reason: why they are not good; empty if they are.
         braces: sections of the braces; none where they are rigid, or have a stiffness alone.
+        reached: damping ratio that answers a target damping, of what the target is of; nan: the target is another.
     """
 
     target: float
@@ -44,6 +46,12 @@ class Sizing:
     iterations: tuple[Any, ...] = ()
     reason: str = ""
     braces: Numbers = ()
+    reached: float = math.nan
+
+    @property
+    def short(self) -> bool:
+        """Whether the damping stays below the target by more than `NEARLY`."""
+        return self.reached < (1.0 - NEARLY) * self.target
 
 
 D = TypeVar("D", bound=SizedDesign)

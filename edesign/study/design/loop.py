@@ -29,6 +29,10 @@ class Sized(Protocol):
     def reason(self) -> str:
         """Why the sizing failed; empty if it did not."""
 
+    @property
+    def short(self) -> bool:
+        """Whether what the dampers reach stays below the target."""
+
 
 S = TypeVar("S", bound=Sized)
 
@@ -69,6 +73,7 @@ class RoundOutcome:
         drift: storey drifts over height, mean of the histories, (f,); none: nothing is changed by them.
         force: of all dampers of a place in each storey with dampers, (s,) N; none: their braces have no sections.
         force_level: hazard level of these forces.
+        brace_use: the largest N_Ed / N_b,Rd of their braces; nan: these have no sections.
     """
 
     verdicts: tuple[RoundVerdict, ...]
@@ -77,6 +82,7 @@ class RoundOutcome:
     drift: tuple[float, ...] = ()
     force: tuple[float, ...] = ()
     force_level: str = ""
+    brace_use: float = math.nan
 
     @property
     def met(self) -> bool:
@@ -113,6 +119,12 @@ class Round(Generic[S]):
     changed: float
     sizing: S
     outcome: RoundOutcome | None = None
+
+    @property
+    def met(self) -> bool:
+        """Whether its histories meet every criterion, the braces hold their dampers, and these reach their target."""
+        held = self.outcome is not None and self.outcome.met and not self.outcome.brace_use > 1.0
+        return held and not self.sizing.short
 
 
 @dataclass(frozen=True)

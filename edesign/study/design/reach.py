@@ -6,6 +6,8 @@ from collections.abc import Callable
 
 import scipy
 
+REACHABLE = 0.95
+"""Of the largest damping: towards it the dampers grow without limit."""
 _GROWTH = 1.5  # of the scale between trials on the way to a target
 
 

@@ -63,7 +63,8 @@ class Results:
 
 _STIFFNESS = "stiffness of the storey: shear over drift under the loads of the first mode, without dampers"
 _STOREY_STIFFNESS = "stiffness of the storey without dampers"
-_MET = "1: all criteria met, or no verification asked for"
+_MET = "1: all criteria and the target met, and braces of sections hold; 0 too where no verification is asked for"
+_REACHED = "damping ratio that answers a target damping; nan: the target is another"
 _COLUMN_SHEAR = "estimated shear of the columns, without dampers' forces"
 _TEMPERATURE = "temperature of the dampers; nan: that of the design"
 
@@ -74,7 +75,8 @@ _STOREYS: tuple[Column, ...] = (
 )
 _ROUNDS: tuple[Column, ...] = (
     ("target", ONE, lambda m, r: r.sizing.target, "1", "target: damping ratio, beta, or share"),
-    ("met", ONE, lambda m, r: int(r.outcome is not None and r.outcome.met), "1", _MET),
+    ("reached", ONE, lambda m, r: r.sizing.reached, "1", _REACHED),
+    ("met", ONE, lambda m, r: int(r.met), "1", _MET),
 )
 _DRIFT = "storey drift over height estimated by the response spectrum"
 _ESTIMATE: tuple[Column, ...] = (
@@ -212,6 +214,9 @@ def store_rounds(group: Group, model: Model, results: Results, rounds: Sequence[
     group.add("round_brace_stiffness", ("round", *STOREY), stiffness, "N/m", "horizontal stiffness of the braces")
     forces = [() if r.outcome is None else r.outcome.force for r in rounds]
     if any(forces):
+        uses = [math.nan if r.outcome is None else r.outcome.brace_use for r in rounds]
+        label = "largest N_Ed / N_b,Rd of the braces, by the forces of the histories of the round"
+        group.add("round_brace_use", ("round",), uses, "1", label)
         rows = [force or (math.nan,) * model.building.storeys.size for force in forces]
         group.attributes["history_force_level"] = next(r.outcome.force_level for r in rounds if r.outcome is not None)
         label = "force of the dampers of a place, mean of the histories of the round, or their largest"

@@ -185,7 +185,8 @@ def verification_records(study: Study, name: str) -> tuple[str, ...]:
 def verifying_histories(study: Study, name: str, number: int) -> Iterator[HistoryAnalysis]:
     """Yield the histories of a round of a design's verification, or of a layout: its recordings at all its levels.
 
-    A record that is fitted to the spectrum of one level, which has a shape of its own, is run at this level alone.
+    A record that is fitted to the spectrum of one level, which has a shape of its own, is run at this level alone. To
+    the levels comes the one whose forces braces of sections hold.
 
     Args:
         number: of the round or layout, from 1.
@@ -197,7 +198,8 @@ def verifying_histories(study: Study, name: str, number: int) -> Iterator[Histor
     kind = BuildingHistory if of_building else HistoryAnalysis
     shaken = {key: getattr(verify, key) for key in ("angles", "eccentricity", "eccentricity_ratio") if of_building}
     along = getattr(study.designs[name], "along", None)
-    for level in verify.levels or ("",):
+    held = getattr(study.designs[name], "brace_level", None)
+    for level in dict.fromkeys((*(verify.levels or ("",)), *filter(None, (held,)))):
         for reference in verification_records(study, name):
             if study.base.fitted_level(record_of(reference)) not in (None, level):
                 continue

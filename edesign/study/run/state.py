@@ -81,14 +81,18 @@ class RunState:
         with self._lock:
             self.listener(report)
 
-    def note(self, message: str) -> None:
-        """Report a message to the user that also stands in the summary."""
+    def note(self, message: str, left: float | None = None) -> None:
+        """Report a message to the user that also stands in the summary; see `say`."""
         self.notes.append(message)
-        self.say(message)
+        self.say(message, left)
 
-    def say(self, message: str) -> None:
-        """Report the progress of a part of the run to the user; it does not stand in the summary."""
-        self.report(Progress("note", message=message, count=len(self._places)))
+    def say(self, message: str, left: float | None = None) -> None:
+        """Report the progress of a part of the run to the user; it does not stand in the summary.
+
+        Args:
+            left: time that is left of this part at most, s; None: it is not known.
+        """
+        self.report(Progress("note", message=message, count=len(self._places), left=left))
 
     def stopped(self) -> bool:
         """Return whether the user wants the run to stop."""

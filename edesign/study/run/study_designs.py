@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from edesign.archive.dataset import Group
 from edesign.assess.verdicts import Verdict, judge
@@ -13,7 +14,7 @@ from edesign.project.analysis.outputs import Outputs
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.dampers import Dampers
 from edesign.project.dampers.placement import PlacementDesign
-from edesign.project.dampers.verification import AnyVerify
+from edesign.project.dampers.verification import AnyVerify, LoopVerify, PlacementVerify
 from edesign.project.study.study import Study
 from edesign.study.analysis.modal import mode_count
 from edesign.study.check.criteria_inputs import kept_for_verification, too_few_motions
@@ -37,6 +38,32 @@ class _Lost(EdesignError):
     def __init__(self, error: EdesignError) -> None:
         super().__init__(str(error))
         self.error = error
+
+
+class Evaluated:
+    """The rounds or layouts of a design whose histories have run, and how long the others take at most."""
+
+    def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
+        self._clock = clock
+        self._seconds, self._histories, self._number = 0.0, 0, 0
+
+    def counted(self, rounds: Iterator[Mapping[str, Group]]) -> Iterator[Mapping[str, Group]]:
+        """Yield the histories of rounds, and count them and their time."""
+        began = self._clock()
+        for found in rounds:
+            self._number, self._histories = self._number + 1, len(found)
+            self._seconds, began = self._seconds + self._clock() - began, self._clock()
+            yield found
+            began = self._clock()
+
+    def left(self, verify: AnyVerify | None) -> float | None:
+        """Return the time that a search takes that goes on to its last round or history, s; None: it is not known."""
+        if verify is None or not self._number:
+            return None
+        most = verify.rounds if isinstance(verify, LoopVerify) else 0
+        if isinstance(verify, PlacementVerify):
+            most = verify.budget // self._histories
+        return self._seconds / self._number * max(most - self._number, 0)
 
 
 def study_designs(study: Study, run: RunState) -> Prepared:
@@ -94,12 +121,14 @@ def _design(study: Study, name: str, order: int, run: RunState, made: Mapping[st
     verify = spec.verify
     about = {"order": order, "name": name}
 
+    evaluated = Evaluated()
+
     def keep(group: Group) -> None:
         run.archive(place, Group(group.coords, group.variables, {**group.attributes, **about}))
 
     def respond_in_turn(wanted: Sequence[tuple[int, Dampers]]) -> Iterator[Mapping[str, Group]]:
         assert verify is not None
-        return _respond(study, name, verify, wanted, run)
+        return evaluated.counted(_respond(study, name, verify, wanted, run))
 
     def respond(dampers: Dampers, number: int) -> Mapping[str, Group]:
         standing = {other: made[other].dampers for other in beside}
@@ -109,7 +138,8 @@ def _design(study: Study, name: str, order: int, run: RunState, made: Mapping[st
         assert verify is not None
         # the histories of the verification are of no variant, whatever variants a criterion names
         asked = [c.model_copy(update={"variants": ()}) for c in study.criteria if c.name in verify.criteria]
-        return judge([along_design(c, spec) for c in asked], (), histories, study.base)
+        judged = {key: one for key, one in histories.items() if one.attributes["level"] in (verify.levels or ("",))}
+        return judge([along_design(c, spec) for c in asked], (), judged, study.base)
 
     for other in beside:
         if made[other].status != "completed":
@@ -130,7 +160,7 @@ def _design(study: Study, name: str, order: int, run: RunState, made: Mapping[st
                     respond_in_turn,
                     verdicts,
                     resume,
-                    lambda message: run.say(f"design {name}: {message}"),
+                    lambda message: run.say(f"design {name}: {message}", evaluated.left(verify)),
                     keep,
                 )
             else:
@@ -142,7 +172,7 @@ def _design(study: Study, name: str, order: int, run: RunState, made: Mapping[st
                     respond if verify is not None else None,
                     verdicts if verify is not None else None,
                     resume,
-                    lambda message: run.note(f"design {name}: {message}"),
+                    lambda message: run.note(f"design {name}: {message}", evaluated.left(verify)),
                     keep,
                     factors_in_force(study, study.hazard),
                     standing_of([made[other].standing for other in beside]),

@@ -35,7 +35,7 @@ def test_design_in_si() -> None:
     assert spec.properties == FixedProperties(G_storage="1 MPa", loss_factor=0.3)  # type: ignore[arg-type]
     assert (spec.brace, spec.braces_in_target, spec.storey_stiffness, spec.frequency) == (
         "rigid",
-        False,
+        None,
         "computed",
         None,
     )

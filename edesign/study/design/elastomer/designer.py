@@ -19,7 +19,7 @@ from edesign.study.design.beside import NOTHING_BESIDE, Standing
 from edesign.study.design.bounds import Bound
 from edesign.study.design.building import law_at, per_storey
 from edesign.study.design.damping import ModalDamping
-from edesign.study.design.designer import REACHABLE, Designer
+from edesign.study.design.designer import Designer
 from edesign.study.design.elastomer.distribution import MOST, area_weight
 from edesign.study.design.elastomer.frequency_consistent import AtFrequency, agreed, at_consistent_frequency
 from edesign.study.design.elastomer.material import Moduli, law_moduli, material
@@ -33,6 +33,7 @@ from edesign.study.design.estimate import Action, FrameEstimate
 from edesign.study.design.fully_stressed import StoreySizes, storey_sizes
 from edesign.study.design.loop import Round, Search
 from edesign.study.design.plausibility import estimate_warnings
+from edesign.study.design.reach import REACHABLE
 from edesign.study.design.relaxation import Relaxation
 from edesign.study.design.results import of_storeys
 
@@ -68,6 +69,8 @@ class ElastomerDesigner(Designer[ElastomerSizing]):
             spec = spec.model_copy(update={"level": spec.verify.levels[0]})  # of what is estimated beside the sizing
         super().__init__(project, name, spec, progress, beside)
         self.spec = spec
+        if isinstance(spec, SimplifiedDesign):
+            self.target_word = "beta"
         self.model = ElastomerModel(self.building, spec, self.action, partial(material, project, name, spec, folder))
         self._relaxed, self._relax = math.nan, Relaxation()
 
@@ -83,7 +86,7 @@ class ElastomerDesigner(Designer[ElastomerSizing]):
         spec = self.spec
         if isinstance(spec, SimplifiedDesign):
             return spec.beta[1]
-        ratio = float(self.model.ratios.min()) if spec.braces_in_target else math.inf
+        ratio = float(self.model.ratios.min()) if spec.counts_braces else math.inf
         strain = spec.strain if isinstance(spec.strain, float) else self.make(target).strain
         moduli = self.model.material(strain)(self.model.bare.first_frequency)
         return max(REACHABLE * largest_damping(moduli.loss_factor, ratio), target)
@@ -162,6 +165,10 @@ class ElastomerDesigner(Designer[ElastomerSizing]):
         ).found
         period = 2.0 * np.pi / at.modes.first_omega
         return Bound(name, factor, temperature_C, ratio(at.last.moduli), period, at.last.damping, response)
+
+    def taken_strain(self, sizing: ElastomerSizing) -> float:
+        """Return the strain at which the properties of a sizing were taken."""
+        return sizing.strain
 
     def strain(self, sizing: ElastomerSizing, histories: Sequence[Group]) -> float:
         """Return the effective strain of the layers in histories of a sizing."""

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import scipy
 
-from edesign.damper.sizing import stiffness_ratio
+from edesign.damper.sizing import largest_damping, stiffness_ratio
 from edesign.errors import AnalysisError, InputError
 from edesign.project.dampers.designs import StrainEnergyDesign
 from edesign.study.design.building import Building
@@ -15,6 +15,7 @@ from edesign.study.design.elastomer.material import Moduli
 from edesign.study.design.elastomer.model import ElastomerModel, Layers
 from edesign.study.design.least_total import Problem, least_total
 from edesign.study.design.pattern import pattern_of
+from edesign.study.design.reach import REACHABLE, reach
 
 MOST = 30.0
 """Of k_D / k_S, that dampers of the least area may have."""
@@ -44,12 +45,36 @@ def distribute(
         assert spec.drift is not None, "check_design wants it"
         nearest = spec.verify is not None and spec.verify.change == "area"
         return least_area(model, moduli, spec.drift, thickness, before, nearest)
-    if spec.distribution == "storey_stiffness" and spec.target_in != "first_mode":
-        ratios = model.ratios if spec.braces_in_target else np.full(model.building.storeys.size, math.inf)
-        found = [stiffness_ratio(target, moduli.loss_factor, ratio) for ratio in ratios.tolist()]
+    n, nearest = moduli.loss_factor, spec.braces_in_target is None and spec.counts_braces
+    if spec.target_in == "storeys":
+        ratios = model.ratios.tolist() if spec.counts_braces else [math.inf] * model.building.storeys.size
+        most = [REACHABLE * largest_damping(n, ratio) if nearest else math.inf for ratio in ratios]
+        found = [stiffness_ratio(min(target, one), n, ratio) for one, ratio in zip(most, ratios, strict=True)]
         return np.array(found) * model.building.designed_stiffness
     pattern = pattern_of(model.building, spec.distribution)
-    return _scale(model, pattern, moduli.loss_factor, target, spec.braces_in_target) * pattern
+    if nearest:
+        return nearest_scale(model, pattern, n, target)[0] * pattern
+    return _scale(model, pattern, n, target, spec.counts_braces) * pattern
+
+
+def nearest_scale(model: ElastomerModel, pattern: np.ndarray, loss_factor: float, target: float) -> tuple[float, float]:
+    """Return the least factor on a pattern with which the first mode has the target, or nearly what braces let it have.
+
+    Args:
+        pattern: of k_D over the storeys with dampers, (s,) N/m.
+        target: damping ratio to be added by dampers and braces.
+
+    Returns:
+        The factor, and the largest damping ratio that was found up to it.
+    """
+    stiffness_ratio(target, loss_factor)  # refuses what no frame allows
+
+    def damping(scale: float) -> float:
+        return model.first_damping(model.stiffness(scale * pattern, loss_factor))
+
+    ends = float(_SCALES[0]), float(_SCALES[-1])
+    scale, found = reach(damping, target, *ends)
+    return (scale if found >= target else reach(damping, REACHABLE * found, *ends)[0]), found
 
 
 def least_area(

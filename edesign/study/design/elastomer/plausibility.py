@@ -10,10 +10,12 @@ from edesign.codes.ec8.importance import NEAR_COLLAPSE, NEAR_COLLAPSE_CLAUSE, fa
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import factor_of_level, national_of
 from edesign.project.actions.hazard import AsceHazard, EC8Hazard
-from edesign.project.dampers.designs import ElastomerDesign, FixedProperties
+from edesign.project.dampers.designs import ElastomerDesign, FixedProperties, StrainEnergyDesign
 from edesign.project.reading.words import percent
+from edesign.study.design.elastomer.distribution import nearest_scale
 from edesign.study.design.elastomer.model import ElastomerModel, ElastomerSizing, effective_strain
 from edesign.study.design.estimate import FrameEstimate
+from edesign.study.design.pattern import pattern_of
 from edesign.study.design.plausibility import ROUNDING, beyond_the_optimum, spread
 
 LARGEST_BETA = 5.0
@@ -30,6 +32,7 @@ def elastomer_warnings(
         in_histories: effective strain of the dampers in the histories of a verification; nan: there are none.
     """
     spec = model.spec
+    yield from _short_of_target(model, sizing)
     yield from _too_stiff(model, sizing)
     if found is not None:
         yield from _more_base_shear(model, sizing, found)
@@ -87,6 +90,33 @@ def _other_strain(model: ElastomerModel, sizing: ElastomerSizing, reached: float
         f"times what the design counts on, outside {low:g} to {high:g} ({source}). With braces they add "
         f"{percent(real)} of damping to the first mode, not {percent(designed)}{_remedy(spec)}"
     )
+
+
+def _short_of_target(model: ElastomerModel, sizing: ElastomerSizing) -> Iterator[str]:
+    """What dampers reach that stay below the target, and why; or what they reach with braces that it leaves out."""
+    spec = model.spec
+    if not isinstance(spec, StrainEnergyDesign) or math.isnan(sizing.reached):
+        return
+    n, asked = sizing.moduli.loss_factor, percent(spec.damping or math.nan)
+    if sizing.short and spec.target_in == "storeys":
+        yield (
+            f"each storey has the {asked} of the target by itself (Eq. 5.9), and the first mode has "
+            f"{percent(sizing.reached)}; `target_in: first_mode` sizes for the mode"
+        )
+    elif sizing.short:
+        pattern = pattern_of(model.building, spec.distribution)
+        most = nearest_scale(model, pattern, n, 0.5 * n * (1.0 - ROUNDING))[1]
+        yield (
+            f"the dampers add {percent(sizing.reached)} to the first mode, not the {asked} of the target: behind "
+            f"braces of {float(model.ratios.min()):.3g} times the stiffness of the storey, n = {n:.4g} adds "
+            f"{percent(most)} at most. Stiffer braces, more places or a law that loses more add more"
+        )
+    elif not spec.counts_braces and spec.brace != "rigid":
+        behind = model.first_damping(model.of(sizing))
+        yield (
+            f"the {percent(sizing.reached)} of the target are of the dampers alone (`braces_in_target: false`); with "
+            f"their braces they add {percent(behind)} to the first mode"
+        )
 
 
 def _too_stiff(model: ElastomerModel, sizing: ElastomerSizing) -> Iterator[str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import numpy as np
@@ -47,7 +48,7 @@ def size_by_strain_energy(
             return area_factor * wanted
 
         start, elastomer = model.bare.first_frequency, model.material(strain)
-        found = at_consistent_frequency(model, elastomer, k_D, start, braces=spec.braces_in_target)
+        found = at_consistent_frequency(model, elastomer, k_D, start, braces=spec.counts_braces)
         last = found.last
         return ElastomerSizing(
             target=target,
@@ -65,4 +66,7 @@ def size_by_strain_energy(
         return model.share * model.estimated_strain(found.size, found.moduli.loss_factor, thickness)
 
     at = at_consistent_strain(model, solve, lambda found: found.moduli, reached, start_strain(model, thickness))
-    return replace(at.found, reason=at.found.reason or at.reason, strain=at.strain, strain_steps=at.steps)
+    damping = math.nan if math.isnan(target) else model.first_damping(model.of(at.found, spec.counts_braces))
+    return replace(
+        at.found, reached=damping, reason=at.found.reason or at.reason, strain=at.strain, strain_steps=at.steps
+    )

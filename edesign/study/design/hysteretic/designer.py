@@ -17,7 +17,7 @@ from edesign.study.design.beside import NOTHING_BESIDE, Standing
 from edesign.study.design.bounds import Bound
 from edesign.study.design.building import law_at, make_building, per_storey, read_law
 from edesign.study.design.condensed import LinearModes
-from edesign.study.design.designer import REACHABLE, Designer
+from edesign.study.design.designer import Designer
 from edesign.study.design.estimate import Action, FrameEstimate
 from edesign.study.design.hysteretic.model import HystereticModel, SecantVibration
 from edesign.study.design.hysteretic.results import HYSTERETIC, store_curve
@@ -30,6 +30,7 @@ from edesign.study.design.hysteretic.sizing import (
 from edesign.study.design.hysteretic.vibration import secant_vibration
 from edesign.study.design.loop import Search
 from edesign.study.design.optimum import optimum_warnings
+from edesign.study.design.reach import REACHABLE
 from edesign.study.design.relaxation import AGREEMENT
 from edesign.study.design.results import of_storeys
 
@@ -66,6 +67,8 @@ class HystereticDesigner(Designer[HystereticSizing]):
             raise InputError(f"designs.{name}.carries_gravity: {SET_IN.format(spec.law)}")
         super().__init__(project, name, spec, progress, beside)
         self.spec = spec
+        if spec.damping is None:
+            self.target_word = "share of the storey shears"
         self._carried: tuple[float, ...] | None = None
         self.model = self._model()
 

@@ -53,7 +53,9 @@ def size_hysteretic(model: HystereticModel, target: float, factor: float = 1.0) 
     """
     share = target if model.spec.damping is None else _share_of_damping(model, target)
     found = factor * share * unit_forces(model)
-    return HystereticSizing(target=target, size=found, share=factor * share, vibration=secant_vibration(model, found))
+    vibration = secant_vibration(model, found)
+    reached = math.nan if model.spec.damping is None else vibration.damping
+    return HystereticSizing(target=target, size=found, share=factor * share, vibration=vibration, reached=reached)
 
 
 def unit_forces(model: HystereticModel) -> np.ndarray:

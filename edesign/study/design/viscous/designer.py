@@ -17,11 +17,12 @@ from edesign.project.dampers.designs import ViscousDesign
 from edesign.study.design.beside import NOTHING_BESIDE, Standing
 from edesign.study.design.bounds import Bound
 from edesign.study.design.building import per_storey, read_law
-from edesign.study.design.designer import REACHABLE, Designer
+from edesign.study.design.designer import Designer
 from edesign.study.design.estimate import Action, FrameEstimate
 from edesign.study.design.fully_stressed import StoreySizes, storey_sizes
 from edesign.study.design.loop import Search
 from edesign.study.design.plausibility import estimate_warnings
+from edesign.study.design.reach import REACHABLE
 from edesign.study.design.results import of_storeys
 from edesign.study.design.viscous.dashpot_modes import DashpotModes
 from edesign.study.design.viscous.model import Vibration, ViscousModel

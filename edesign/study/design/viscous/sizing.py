@@ -76,6 +76,7 @@ def size_viscous(model: ViscousModel, target: float, factor: float = 1.0) -> Vis
         size=coefficient,
         iterations=tuple(steps),
         reason=reason,
+        reached=math.nan if math.isnan(target) else vibration.modes.first_damping,
         vibration=vibration,
         formula=model.formula(coefficient, vibration.roof),
     )

@@ -1,4 +1,4 @@
-"""Braces of dampers under the forces of histories: whether those of a design hold, as verdicts and as warnings."""
+"""What designs are judged by beside the criteria of a study: braces hold their dampers, and the damping is reached."""
 
 from __future__ import annotations
 
@@ -16,7 +16,11 @@ from edesign.codes.motion_sets import SetRules
 from edesign.ground_motion.hazard import factor_of_level, rules_in_force
 from edesign.project.study.study import Study, own_variant
 
+OF_DESIGN = "design"
+"""The statistic of what no history says."""
 CLAUSE = "EN 1993-1-1, 6.3.1"
+NEARLY = 1e-3
+"""Relative: what the digits in which a damping is told hide."""
 
 
 @dataclass(frozen=True)
@@ -83,7 +87,8 @@ def held_braces(designs: Mapping[str, Group], sets: Sequence[HistorySet], study:
             below = below and factor_of_level(hazard, found.level) < factor_of_level(hazard, own)
             forces = brace_forces(design, found, rules)
             use = None if forces is None else forces / design.variables["brace_resistance"].values
-            statistic = "mean" if found.motions >= rules.number_for_mean else "maximum"
+            motions = len({found.motion_of[history] for history in found.completed})
+            statistic = "mean" if motions >= rules.number_for_mean else "maximum"
             yield HeldBraces(name, found, below or found.level == own, own, storeys, use, statistic)
 
 
@@ -101,9 +106,9 @@ def brace_verdicts(designs: Mapping[str, Group], sets: Sequence[HistorySet], stu
             continue
         found, most = one.found, None if one.use is None else int(np.argmax(one.use))
         value = None if one.use is None or most is None else float(one.use[most])
-        met = None if value is None and not found.failed else not found.failed and value is not None and value <= 1.0
-        if met and found.not_run:
-            met = None
+        met = None
+        if not found.not_run and found.histories:
+            met = not found.failed and value is not None and value <= 1.0
         words = f"N_Ed <= N_b,Rd of the braces of design {one.design}, under its dampers with all factors"
         remark = "failed histories count as beyond the limit" if found.failed else one.where
         counts = len(found.completed), tuple(name for name in found.histories if name not in found.completed)
@@ -127,6 +132,49 @@ def brace_verdicts(designs: Mapping[str, Group], sets: Sequence[HistorySet], stu
                 source=CLAUSE,
             )
         )
+    return tuple(verdicts)
+
+
+def damping_verdicts(designs: Mapping[str, Group], study: Study) -> tuple[Verdict, ...]:
+    """Return a verdict on the damping that each design was asked for, for each variant of the file that has it.
+
+    Args:
+        designs: of the archive, by name.
+
+    Source: thesis Eq. 5.6 for layers, complex modes for dashpots, Jacobsen (1930) for loops.
+    """
+    verdicts = []
+    for name, design in designs.items():
+        asked, rounds = design.attributes.get("damping_target"), design.variables.get("round_reached")
+        if asked is None or rounds is None:
+            continue
+        limit = float(str(asked))
+        value = float(rounds.values[int(str(design.attributes["chosen_round"])) - 1])
+        alone = design.attributes.get("braces_in_target") is False
+        of = "the dampers alone" if alone else "dampers and braces"
+        words = f"damping that {of} of design {name} add to the first mode, at least the target"
+        for variant, one in study.variants.items():
+            if name in one.designs and variant not in study.derived:
+                met = value >= (1.0 - NEARLY) * limit
+                nothing = ("", None, "", 1, ())
+                verdicts.append(
+                    Verdict(
+                        f"damping of {name}",
+                        words,
+                        variant,
+                        "",
+                        OF_DESIGN,
+                        limit if met and value < limit else value,
+                        limit,
+                        "1",
+                        met,
+                        "" if met else "the warnings of the design say why",
+                        *nothing,
+                        motions=0,
+                        from_below=True,
+                        source="the design",
+                    )
+                )
     return tuple(verdicts)
 
 
