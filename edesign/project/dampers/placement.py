@@ -11,7 +11,7 @@ from edesign.project.dampers.dampers import Brace, Count, Layers
 from edesign.project.dampers.verification import PlacementVerify
 from edesign.project.notation.frames import Direction, Frames, FrameSelection
 from edesign.project.notation.selections import ALL_NUMBERS, Numbers, NumberSelection
-from edesign.project.notation.several import ShortName
+from edesign.project.notation.several import Names, ShortName
 from edesign.project.notation.temperature import Temperature
 from edesign.project.notation.units import (
     Factor,
@@ -132,6 +132,7 @@ class PlacementDesign(Model):
         bays: candidate bays of a plane frame.
         places: candidate places of a building.
         storeys: candidate storeys.
+        beside: designs above this one whose dampers stand in the frame while this one is searched.
         catalogue: items that a place may get, by name.
         costs: costs beside those of the dampers.
         limits: which layouts are allowed.
@@ -148,6 +149,7 @@ class PlacementDesign(Model):
     bays: Numbers | None = None
     places: tuple[CandidatePlaces, ...] = ()
     storeys: Numbers = ALL_NUMBERS
+    beside: Names | tuple[()] = ()
     catalogue: Annotated[dict[ShortName, CatalogueItem], Field(min_length=1, max_length=8)]
     costs: Costs = Costs()
     limits: LayoutLimits = LayoutLimits()

@@ -23,7 +23,7 @@ from edesign.project.checks.shaking import check_shaking
 from edesign.project.checks.vertical_motion import check_horizontal, check_vertical
 from edesign.project.checks.wave_passage import check_wave_passage
 from edesign.project.criteria.criteria import QuantityCriterion
-from edesign.project.dampers.designs import Design, SizedDesign
+from edesign.project.dampers.designs import Design
 from edesign.project.dampers.device_names import laws_of_design, names_of_dampers, names_of_design
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.dampers.verification import AnyVerify, PlacementVerify
@@ -90,11 +90,10 @@ def _design(study: Study, problems: Problems, keys: Keys, design: Design) -> Non
         check_design(keys, design, base, problems, lambda: check_candidates(base, problems, keys, design))
     else:
         check_design(keys, design, base, problems, stands=lambda at, run: check_bays(base, problems, at, run))
-    if not isinstance(design, PlacementDesign):
-        _beside(study, problems, keys, design)
+    _beside(study, problems, keys, design)
 
 
-def _beside(study: Study, problems: Problems, keys: Keys, design: SizedDesign) -> None:
+def _beside(study: Study, problems: Problems, keys: Keys, design: Design) -> None:
     """A design stands beside designs above it, whose dampers are known when it is sized, on places of its own."""
     keys = (*keys, "beside")
     order = list(study.designs)

@@ -216,11 +216,11 @@ class Study(FileModel):
         They are those that it names, and those beside which these are sized.
         """
         found: set[str] = set()
-        open_names = list(getattr(self.designs[name], "beside", ()))
+        open_names = list(self.designs[name].beside)
         while open_names:
             if (other := open_names.pop()) in self.designs and other not in found:
                 found.add(other)
-                open_names += getattr(self.designs[other], "beside", ())
+                open_names += self.designs[other].beside
         return tuple(other for other in self.designs if other in found)
 
     @property

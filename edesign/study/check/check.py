@@ -213,9 +213,12 @@ def _check_designs(study: Study, names: Sequence[str]) -> None:
     for name in names:
         try:
             spec = study.designs[name]
+            beside = standing_beside(study, name, sized)
+            if beside is None:
+                continue
             if isinstance(spec, PlacementDesign):
-                check_placement(study.base, name, spec, histories_of_a_round(study, name))
-            elif (beside := standing_beside(study, name, sized)) is not None:
+                check_placement(study.base, name, spec, histories_of_a_round(study, name), beside)
+            else:
                 factors = factors_in_force(study, study.hazard)
                 sized[name] = check_sizing(study.base, name, spec, study.folder, factors, beside)
         except InputError as error:

@@ -147,10 +147,11 @@ def check_study(study: Study) -> dict[str, str]:
     sized: dict[str, Standing | None] = {}
     for name in wanted_designs(study, plan):
         design = study.designs[name]
-        if isinstance(design, PlacementDesign):  # whose dampers are known after histories alone
-            extent = check_placement(study.base, name, design, histories_of_a_round(study, name))
+        beside = standing_beside(study, name, sized)
+        if beside is not None and isinstance(design, PlacementDesign):  # whose dampers are known after histories alone
+            extent = check_placement(study.base, name, design, histories_of_a_round(study, name), beside)
             placements += [f"{name}: {extent}"] if extent else []
-        elif (beside := standing_beside(study, name, sized)) is not None:
+        elif beside is not None and not isinstance(design, PlacementDesign):
             warnings += first_warnings(study.base, name, design, study.folder, factors, beside)
             if any(name in study.beside(other) for other in study.designs):
                 sized[name] = check_sizing(study.base, name, design, study.folder, factors, beside)

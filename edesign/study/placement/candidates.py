@@ -19,6 +19,7 @@ from edesign.project.notation.frames import parse_frames
 from edesign.project.notation.grid import BayPlace
 from edesign.project.notation.selections import NumberSelection
 from edesign.study.analysis.structure import Structure, make_structure
+from edesign.study.design.beside import NOTHING_BESIDE, Standing
 from edesign.study.design.building import with_temperature
 from edesign.study.placement.space import Layout, LayoutSpace, Stack, make_positions, make_prices
 
@@ -36,6 +37,7 @@ class Candidates:
         structure: without dampers, in the state that the design asks for.
         devices: every item at every place, by number of the item (from 1) and place.
         index: of each of them in the condensed frame.
+        beside: dampers of other designs that stand in the frame.
     """
 
     project: AnalysisFile
@@ -44,6 +46,7 @@ class Candidates:
     structure: Structure
     devices: Mapping[tuple[int, BayPlace], Device]
     index: Mapping[tuple[int, BayPlace], int]
+    beside: Standing = NOTHING_BESIDE
 
     def equipped(self, layout: Layout) -> dict[BayPlace, int]:
         """Return the item at each equipped place of a layout, storey by storey."""
@@ -126,12 +129,15 @@ def make_stacks(project: AnalysisFile, spec: PlacementDesign) -> Iterator[Stack]
         yield from (Stack(tuple(places), last if mirrored else None) for places in stacks.values())
 
 
-def make_candidates(project: AnalysisFile, name: str, spec: PlacementDesign) -> Candidates:
+def make_candidates(
+    project: AnalysisFile, name: str, spec: PlacementDesign, beside: Standing = NOTHING_BESIDE
+) -> Candidates:
     """Build the frame with every item of the catalogue at every candidate place, without tuned masses.
 
     Args:
         project: with the laws; checked by `check_placement`.
         name: of the design.
+        beside: dampers of other designs that stand in the frame.
 
     Raises:
         InputError: a law is wrong, a place has no nodes, or the frame cannot be built.
@@ -160,7 +166,8 @@ def make_candidates(project: AnalysisFile, name: str, spec: PlacementDesign) -> 
         _run(items[option - 1], _kind_at(kinds[option - 1], leaning), [at.frame], (at.bay,), (at.storey,))
         for option, at, leaning in wanted
     )
-    trial = Dampers.model_construct(laws=before.laws, devices=runs, attachments=())
+    laws = {**before.laws, **beside.laws}
+    trial = Dampers.model_construct(laws=laws, devices=(*runs, *beside.devices), attachments=())
     try:
         structure = make_structure(project.model_copy(update={"dampers": trial}), dampers=True)
     except InputError as error:  # the devices stand in no file: the place is the item of the catalogue
@@ -174,7 +181,8 @@ def make_candidates(project: AnalysisFile, name: str, spec: PlacementDesign) -> 
     if spec.state == "gravity":
         structure.apply_gravity()
     keys = [(option, place) for option, place, _ in wanted]
-    devices = dict(zip(keys, structure.frame.devices, strict=True))
+    own = [device for device in structure.frame.devices if device.name not in beside.stiffness]
+    devices = dict(zip(keys, own, strict=True))
     costs = spec.costs
     space = LayoutSpace(
         positions,
@@ -190,7 +198,7 @@ def make_candidates(project: AnalysisFile, name: str, spec: PlacementDesign) -> 
         _not_larger(items, kinds, devices),
     )
     index = {key: i for i, key in enumerate(keys)}
-    return Candidates(project, spec, space, structure, devices, index)
+    return Candidates(project, spec, space, structure, devices, index, beside)
 
 
 def _kind_at(kind: Kind, leaning: bool) -> Kind:

@@ -38,7 +38,7 @@ class LayoutEstimates:
 
     def __init__(self, candidates: Candidates, action: Action) -> None:
         self._candidates = candidates
-        self._response = linear_response(candidates.structure, action)
+        self._response = linear_response(candidates.structure, action, candidates.beside.stiffness)
         self._frequencies = self._response.leading_frequencies()
         bare, peaks = self._response.vibration(np.zeros(len(candidates.index), dtype=complex))
         self._bare_deformation = peaks.combined(bare.dampers)

@@ -12,6 +12,7 @@ from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.dampers import Dampers
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.reading.words import counted
+from edesign.study.design.beside import NOTHING_BESIDE, Standing
 from edesign.study.design.design import DesignResult
 from edesign.study.design.estimate import action_of
 from edesign.study.design.loop import RoundOutcome
@@ -42,6 +43,7 @@ def run_placement(
     resume: Group | None = None,
     progress: Callable[[str], None] = lambda text: None,
     keep: Callable[[Group], None] = lambda group: None,
+    beside: Standing = NOTHING_BESIDE,
 ) -> DesignResult:
     """Search for the layout of least cost with which histories meet the criteria.
 
@@ -53,6 +55,7 @@ def run_placement(
         resume: what an earlier run kept; its layouts are not analysed again.
         progress: called with what goes on.
         keep: given the group after each layout, for `resume`.
+        beside: dampers of other designs that stand in the frame.
 
     Returns:
         The dampers of the chosen layout, the archived group and the status.
@@ -62,8 +65,10 @@ def run_placement(
     """
     bays = "; ".join(map(str, spec.candidates))
     about: dict[str, Any] = {"method": spec.method, "kind": spec.kind, "bays": bays, "state": spec.state}
+    if spec.beside:
+        about["beside"] = list(spec.beside)
     try:
-        candidates = make_candidates(project, name, spec)
+        candidates = make_candidates(project, name, spec, beside)
         level = spec.level or (spec.verify.levels or ("",))[0]
         estimates = LayoutEstimates(candidates, action_of(_orderable(project), level, spec.inherent_damping))
     except AnalysisError as error:
@@ -130,13 +135,16 @@ def extent(candidates: Candidates, per_layout: int) -> str:
     )
 
 
-def check_placement(project: AnalysisFile, name: str, spec: PlacementDesign, per_layout: int) -> str:
+def check_placement(
+    project: AnalysisFile, name: str, spec: PlacementDesign, per_layout: int, beside: Standing = NOTHING_BESIDE
+) -> str:
     """Build the frame with all candidate places, so that errors show before the first analysis.
 
     Args:
         project: the project with the laws, as for `run_placement`.
         name: name of the design.
         per_layout: number of histories that judge one layout.
+        beside: dampers of other designs that stand in the frame.
 
     Returns:
         `extent`; empty where the frame is unstable.
@@ -146,7 +154,7 @@ def check_placement(project: AnalysisFile, name: str, spec: PlacementDesign, per
             leave no dampers, or the budget is not enough for one layout.
     """
     try:
-        candidates = make_candidates(project, name, spec)
+        candidates = make_candidates(project, name, spec, beside)
     except AnalysisError:
         return ""  # `run_placement` keeps the reason
     space = candidates.space

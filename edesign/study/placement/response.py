@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from types import MappingProxyType
 
 import numpy as np
 
@@ -101,12 +103,15 @@ class LinearResponse:
         return np.concatenate([np.max(along, axis=0), np.ravel(along), of_frames])
 
 
-def linear_response(structure: Structure, action: Action) -> LinearResponse:
+def linear_response(
+    structure: Structure, action: Action, beside: Mapping[str, complex] = MappingProxyType({})
+) -> LinearResponse:
     """Return the linear response of a structure in its present state, with its dampers' places.
 
     Args:
         structure: under gravity or not.
         action: the spectrum, and the damping of the frame without dampers.
+        beside: complex stiffness, N/m, by name, of dampers that are no candidates but stand in it.
 
     Raises:
         AnalysisError: nothing has a mass, or the stiffness is singular.
@@ -119,7 +124,7 @@ def linear_response(structure: Structure, action: Action) -> LinearResponse:
             for frame in line.frames:
                 numbers.setdefault(frame, []).append(number)
     return LinearResponse(
-        tuple(condense(structure, axis) for axis in range(len(model.directions))),
+        tuple(condense(structure, axis, beside) for axis in range(len(model.directions))),
         action,
         np.array([storey.height for storey in model.storeys]),
         tuple(tuple(np.array(one) for one in numbers.values()) for numbers in of_frames),
@@ -136,4 +141,6 @@ def _with_devices(frame: CondensedFrame, rows: np.ndarray) -> CondensedFrame:
     plan = frame.plan
     if plan is not None:
         plan = replace(plan, line_B=plan.line_B[:, rows], storey_B=plan.storey_B[:, rows])
+    others = None if frame.beside is None else replace(frame.beside, C=frame.beside.C[:, rows])
+    frame = replace(frame, beside=others)
     return replace(frame, B=frame.B[rows], C=frame.C[np.ix_(rows, rows)], floor_B=frame.floor_B[:, rows], plan=plan)

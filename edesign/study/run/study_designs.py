@@ -128,11 +128,12 @@ def _design(study: Study, name: str, order: int, run: RunState, made: Mapping[st
 
     def respond_in_turn(wanted: Sequence[tuple[int, Dampers]]) -> Iterator[Mapping[str, Group]]:
         assert verify is not None
-        return evaluated.counted(_respond(study, name, verify, wanted, run))
+        standing = {other: made[other].dampers for other in beside}
+        all_of = [(number, together(study, (*beside, name), {**standing, name: own})) for number, own in wanted]
+        return evaluated.counted(_respond(study, name, verify, all_of, run))
 
     def respond(dampers: Dampers, number: int) -> Mapping[str, Group]:
-        standing = {other: made[other].dampers for other in beside}
-        return next(respond_in_turn([(number, together(study, (*beside, name), {**standing, name: dampers}))]))
+        return next(respond_in_turn([(number, dampers)]))
 
     def verdicts(histories: Mapping[str, Group]) -> tuple[Verdict, ...]:
         assert verify is not None
@@ -162,6 +163,7 @@ def _design(study: Study, name: str, order: int, run: RunState, made: Mapping[st
                     resume,
                     lambda message: run.say(f"design {name}: {message}", evaluated.left(verify)),
                     keep,
+                    standing_of([made[other].standing for other in beside]),
                 )
             else:
                 result = run_design(

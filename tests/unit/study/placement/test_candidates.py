@@ -17,6 +17,7 @@ from edesign.project.dampers.dampers import Dampers
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.notation.grid import BayPlace
 from edesign.study.analysis.structure import make_frame
+from edesign.study.design.beside import Standing
 from edesign.study.design.condensed import condense
 from edesign.study.design.device_text import devices_text
 from edesign.study.design.estimate import action_of
@@ -157,6 +158,28 @@ def test_amplitude_of_linear_dampers_in_one_storey_is_in_closed_form(tmp_path: P
     assert run.design_deformation == (float(f"{amplitude:.3g}"),)
     (plain,) = found.dampers((1,)).devices
     assert plain.design_deformation is None
+
+
+def test_dampers_beside_a_placement_damp_with_it(tmp_path: Path) -> None:
+    """S_d(T1, zeta + (c + c') phi^2 / (2 omega)) Gamma phi with a dashpot c' of another design in the other bay."""
+    project = small_project(tmp_path, "[6 m, 6 m]", "[4 m]")
+    text = "method: placement, kind: storey, bays: @, catalogue: {a: {law: linear, scale: 400, cost: 1}}"
+    specs = [design(f"{text}, verify: {VERIFY}".replace("@", bay), project) for bay in ("1", "2")]
+    own, other = specs
+    assert isinstance(own, PlacementDesign) and isinstance(other, PlacementDesign)
+    there, action = make_candidates(project, "other", other), action_of(project, "DBE", None)
+    modes = condense(there.structure).modes()
+    omega, phi = float(modes.omega[0]), float(modes.floors[0, 0])
+    run, (damper,) = there.dampers((1,)), there.structure.frame.devices
+    assert run.devices and there.project.dampers is not None
+    beside = Standing(there.project.dampers.laws, run.devices, {damper.name: 1j * omega * 4e5})
+    found = make_candidates(project, "tried", own, beside)
+    amplitudes = LayoutEstimates(found, action).amplitudes((1,))
+    assert amplitudes is not None
+    added = 8e5 * phi**2 / (2.0 * omega)
+    expected = action.displacement(omega, action.inherent_damping + added) * abs(modes.participation[0] * phi)
+    assert amplitudes[BayPlace("", 1, 1)] == pytest.approx(expected, rel=1e-3)
+    assert [device.bays for device in found.dampers((1,)).devices] == [own.bays]
 
 
 def test_estimates_fall_with_dampers_and_are_those_of_the_frame_without(candidates: Candidates) -> None:
