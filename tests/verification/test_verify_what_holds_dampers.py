@@ -108,7 +108,10 @@ def test_a_device_gets_the_lightest_section_that_holds_it() -> None:
 @pytest.mark.parametrize(
     ("brace", "message"),
     [
-        ("{choose: [SHS50x5], material: S355, force: 300 kN, largest_slenderness: 9}", "the strongest, SHS50x5, has N_b,Rd = "),
+        (
+            "{choose: [SHS50x5], material: S355, force: 300 kN, largest_slenderness: 9}",
+            "the strongest, SHS50x5, has N_b,Rd = ",
+        ),
         ("{choose: [SHS100x4], material: S355, force: 9 kN, stiffness: 1 MN/mm}", "the stiffest, SHS100x4, has"),
         ("{choose: [CHS], material: S355, force: 9 kN}", "`CHS` has no list of sizes"),
         ("{choose: [SHS300x4], material: S355, force: 9 kN}", "are of class 4 in compression, or more slender than 2"),

@@ -15,7 +15,6 @@ def alike(names: Sequence[str], mass: np.ndarray, same_depth: bool, most_section
     Storeys that share a section are neighbours in the order of the mass that each needs by itself.
 
     Args:
-        names: of all sections.
         mass: of the braces of each storey with each section, (s, n) kg; infinite where it must not be taken.
         same_depth: whether all storeys have one nominal depth.
         most_sections: largest number of different sections; None: any.

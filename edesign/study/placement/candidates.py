@@ -137,7 +137,6 @@ def make_candidates(
     Args:
         project: with the laws; checked by `check_placement`.
         name: of the design.
-        beside: dampers of other designs that stand in the frame.
 
     Raises:
         InputError: a law is wrong, a place has no nodes, or the frame cannot be built.

@@ -55,7 +55,6 @@ def run_placement(
         resume: what an earlier run kept; its layouts are not analysed again.
         progress: called with what goes on.
         keep: given the group after each layout, for `resume`.
-        beside: dampers of other designs that stand in the frame.
 
     Returns:
         The dampers of the chosen layout, the archived group and the status.
@@ -144,7 +143,6 @@ def check_placement(
         project: the project with the laws, as for `run_placement`.
         name: name of the design.
         per_layout: number of histories that judge one layout.
-        beside: dampers of other designs that stand in the frame.
 
     Returns:
         `extent`; empty where the frame is unstable.
