@@ -35,7 +35,7 @@ class LoadedMember:
         at: time of the largest use there, s.
         N, V, M: internal forces of that step, N and N m, of the end or the member that governs: N positive in tension,
             V and M the largest magnitudes, of a building about and along the axis with more.
-        tension: largest tension by the rule of the code, N; 0 of beams.
+        tension: largest tension of a column by the rule of the code, N; 0 of others.
         across: use of a column with the compression of the seismic action across, by the rule of the code; None: its
             file has none.
     """
@@ -165,7 +165,7 @@ def _braces(found: HistorySet, names: Sequence[str], groups: Sequence[Group], me
     if "brace_use_max" not in groups[0].variables:
         return
     every = np.array([_values(group, "brace_use_max") for group in groups])
-    use, tension = _by_rule(found, names, every, mean), _tensions(found, names, groups, mean, "brace")
+    use = _by_rule(found, names, every, mean)
     for at, name in enumerate(str(name) for name in groups[0].coords["brace"].values):
         row = int(np.argmax(every[:, at]))
         when, force = (float(groups[row].variables[f"brace_use_{of}"].values[at]) for of in ("at", "axial_force"))
@@ -173,7 +173,7 @@ def _braces(found: HistorySet, names: Sequence[str], groups: Sequence[Group], me
             check = "tension" if force > 0.0 else BUCKLING
             largest = float(every[row, at])
             about = (name, "brace", storey_of(name), float(use[at]), check, largest, names[row], when)
-            yield LoadedMember(*about, force, 0.0, 0.0, tension.get(name, 0.0))
+            yield LoadedMember(*about, force, 0.0, 0.0, 0.0)
 
 
 def _values(group: Group, name: str) -> np.ndarray:
@@ -191,16 +191,14 @@ def _by_rule(found: HistorySet, names: Sequence[str], values: np.ndarray, mean: 
     return np.asarray(worst.mean(axis=0) if mean else worst.max(axis=0))
 
 
-def _tensions(
-    found: HistorySet, names: Sequence[str], groups: Sequence[Group], mean: bool, kind: str = "column"
-) -> dict[str, float]:
-    name = f"{kind}_axial_force_max"
+def _tensions(found: HistorySet, names: Sequence[str], groups: Sequence[Group], mean: bool) -> dict[str, float]:
+    name = "column_axial_force_max"
     if name not in groups[0].variables:
         return {}
     largest = _by_rule(
         found, names, np.array([np.maximum(group.variables[name].values, 0.0) for group in groups]), mean
     )
-    return dict(zip(map(str, groups[0].coords[kind].values), largest.tolist(), strict=True))
+    return dict(zip(map(str, groups[0].coords["column"].values), largest.tolist(), strict=True))
 
 
 def support_forces(found: HistorySet, rules: SetRules) -> list[SupportForces]:

@@ -293,7 +293,7 @@ def _forces(member: CheckedMember, group: Group, quantity: str, at: int) -> Forc
     """Internal forces along a member in the step of its largest use; those between the ends count loads inside."""
     steady = np.zeros((STATIONS.size, len(FORCES)))
     if quantity == "brace_use":
-        steady[:, 0] = member.share * _of(group, "brace_use_axial_force")[at]
+        steady[:, 0] = _of(group, "brace_use_axial_force")[at]
         return ForcesAlong(STATIONS, steady, np.zeros_like(steady))
     N, V, M = (_of(group, f"{quantity}_{part}")[at] for part in ("axial_force", "shear_force", "bending_moment"))
     inside = (

@@ -29,6 +29,7 @@ _INSIDE = -_COMPRESSION
 """Internal forces over those on the ends: positive on the face that looks to the end of the member."""
 _WHOLE = 1.0 - 1e-9
 """Load factor of gravity analyses from which all loads act, but for rounding."""
+_LARGEST = "the largest use of the brace, positive in tension; of a pair of which one pulls at a time that of both"
 _PARTS = (("axial_force", "N", "N"), ("shear_force", "N", "V"), ("bending_moment", "N*m", "M"))
 
 
@@ -304,6 +305,7 @@ class BraceUse:
     def __init__(self, file: AnalysisFile, frame: FrameModel) -> None:
         found = checked_members(file, [member.name for member in frame.of_kind("brace")])
         self._judged = found.judged
+        self._share = np.array([member.share for member in found.members])
         self._per_tension = np.array([member.share / member.plastic.constants.N_Rd for member in found.members])
         self._per_compression = np.array([_per_compression(member) for member in found.members])
         count = len(found.members)
@@ -326,7 +328,7 @@ class BraceUse:
         for name, values, of, label in (
             ("max", self._use, "1", f"use of {what}, largest value"),
             ("at", self._at, unit, f"{abscissa} of the largest use of {what}"),
-            ("axial_force", self._force, "N", "axial force of the brace with its largest use, positive in tension"),
+            ("axial_force", self._share * self._force, "N", f"axial force that the check takes with {_LARGEST}"),
         ):
             whole = np.full(self._judged.size, 0.0 if name == "max" else np.nan)
             whole[self._judged] = values

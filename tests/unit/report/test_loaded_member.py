@@ -7,6 +7,9 @@ from pathlib import Path
 import pytest
 
 from edesign.archive.reader import open_archive
+from edesign.assess.member_uses import loaded_members
+from edesign.assess.sets import HistorySet
+from edesign.codes.ec8.accelerograms import SET_RULES
 from edesign.errors import InputError
 from edesign.project import load_project
 from edesign.report.archive.loaded_member import loaded_member_data, loaded_member_tables
@@ -81,6 +84,21 @@ def test_forces_along_a_beam_are_of_one_step(design: bool, tmp_path: Path) -> No
         assert M[0] - M[-1] == pytest.approx(0.5 * (V[0] + V[-1]) * 6.0, abs=1.0)  # kept in single precision
     else:
         assert len(M) == 1 and forces["x_over_L"] == [1.0] and shown.notes[-1].startswith("The other end has")
+
+
+def test_one_brace_of_a_cross_takes_the_force_of_both(tmp_path: Path) -> None:
+    """SHS80x5, 14.7 cm2 by the catalogue: N_pl,Rd = 14.7 x 27.5 = 404 kN; use x N_pl,Rd is the force that is told."""
+    text = FRAME.replace("kind: rising", "kind: cross, compression: false")
+    (tmp_path / "frame.yaml").write_text(text)
+    run_project(load_project(tmp_path / "frame.yaml"))
+    with open_archive(tmp_path / "frame.h5") as opened:
+        pushed = opened.group("analyses/push")
+        uses, forces, worked = loaded_member_tables(opened, "D_1_1_r", "push")
+        (row,) = (one for one in loaded_members(HistorySet("", "", {"push": pushed}), SET_RULES) if "_r" in one.name)
+    both = 2.0 * float(pushed.variables["brace_axial_force_max"].values[0])
+    assert row.N == pytest.approx(both, rel=1e-9) and row.use * 404e3 == pytest.approx(both, rel=5e-3)
+    assert uses.column("tension") == [0.0] and float(str(forces.column("N")[0])) == pytest.approx(row.N)
+    assert worked.rows
 
 
 def test_names_that_are_not_there(archive: Path) -> None:
