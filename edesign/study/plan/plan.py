@@ -203,15 +203,20 @@ def _parts(project: AnalysisFile, spec: AnyAnalysis) -> Sequence[PlannedAnalysis
     return [one for part in parts for one in shakings(part)]
 
 
-def shakings(spec: HistoryAnalysis) -> list[HistoryAnalysis]:
-    """Return one history of each angle and place of the masses; what there are several of stands in the names."""
+def shakings(spec: HistoryAnalysis, beside: bool = False) -> list[HistoryAnalysis]:
+    """Return one history of each angle and place of the masses; what there are several of stands in the names.
+
+    Args:
+        beside: whether others may have its name: an angle or a place that is not zero then stands in the names too.
+    """
     if not isinstance(spec, BuildingHistory):
         return [spec]
     found: list[HistoryAnalysis] = []
     for angle in spec.angles:
         for position in spec.eccentricity:
-            name = [spec.name, *[f"{math.degrees(angle):g}deg"] * (len(spec.angles) > 1)]
-            name += [position] * (len(spec.eccentricity) > 1)
+            turned, moved = (beside and one for one in (angle != 0.0, position != "0"))
+            name = [spec.name, *[f"{math.degrees(angle):g}deg"] * (len(spec.angles) > 1 or turned)]
+            name += [position] * (len(spec.eccentricity) > 1 or moved)
             update = {"name": ".".join(name), "angles": (angle,), "eccentricity": (position,)}
             found.append(spec.model_copy(update=update))
     return found

@@ -102,7 +102,7 @@ def _of_histories(study: Study, index: int, histories: Histories) -> Iterator[Ta
                 for reference in wanted:
                     name = f"{entry}.{reference.rpartition('/')[2]}"
                     spec = _history(study, histories, name, variant, reference, level)
-                    for one in shakings(spec):
+                    for one in shakings(spec, beside=True):
                         yield Task(0, one, entry, variant, temperature_C, reference in whole)
 
 

@@ -42,7 +42,7 @@ def test_names_and_order(study: Study) -> None:
 
 
 def test_histories_of_a_building(study: Study) -> None:
-    """Angles and places of its masses stand in the names where there are several, and in the labels."""
+    """Angles and places of its masses stand in the names where there are several or one not zero, and in the labels."""
     asked = Histories(
         variants=("bare",),
         levels=("DBE",),
@@ -51,7 +51,7 @@ def test_histories_of_a_building(study: Study) -> None:
         eccentricity=(0, "+x-y"),  # type: ignore[arg-type]
     )
     one = asked.model_copy(update={"eccentricity": ("+x-y",), "angles": (0.5 * math.pi,)})
-    for histories, names in ((asked, ["0deg.0", "0deg.+x-y", "22.5deg.0", "22.5deg.+x-y"]), (one, [""])):
+    for histories, names in ((asked, ["0deg.0", "0deg.+x-y", "22.5deg.0", "22.5deg.+x-y"]), (one, ["90deg.+x-y"])):
         update = {"histories": (histories,), "variants": {"bare": study.variants["bare"]}, "outputs": StudyOutputs()}
         of = study.model_copy(update=update)
         of.set_base(building(PAIRS))  # type: ignore[arg-type]
