@@ -168,6 +168,7 @@ bench: test-setup
 	@$(PY) -m benchmarks.matching
 	@$(PY) -m benchmarks.damper_laws
 	@$(PY) -m benchmarks.damped_frame
+	@$(PY) -m benchmarks.member_use
 	@$(PY) -m benchmarks.damper_designs
 	@$(PY) -m benchmarks.incremental
 	@$(PY) -m benchmarks.calibration
