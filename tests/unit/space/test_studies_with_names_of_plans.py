@@ -43,7 +43,7 @@ designs:
 variants: {bare: {dampers: none}, both: {design: [steel, oil]}, placed: {design: placed}}
 histories: [{records: far, levels: DBE}]
 criteria:
-  - {name: drift, measure: interstorey_drift, most: 2.15 %}
+  - {name: drift, measure: interstorey_drift, most: 2.12 %}
   - {name: column, quantity: section_use, members: [C_P7_1, BX_5_1_2], most: 2}
   - {name: stroke, quantity: damper_deformation, dampers: [VX_7_1_1, RX_5a_1_1], most: 1 m, variants: both}
 outputs: {histories: [dampers], every: 4}
@@ -82,8 +82,6 @@ _ANALYSES = "\nanalyses: [{name: gravity, kind: gravity}]\n"
     ],
 )
 def test_frames_of_designs_by_the_axes_of_the_plans(frames: str, message: str, tmp_path: Path) -> None:
-    for before, after in (PLAN, BRACED):
-        assert before in SMALL
     text = SMALL.replace(*PLAN).replace(*BRACED) + LAWS + SHAKEN
     (tmp_path / "building.yaml").write_text(text)
     design = "{method: hysteretic, law: steel, kind: chevron, along: x, bays: 1, shear_share: 20 %, level: DBE"
