@@ -7,6 +7,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.project.dampers.dampers import Dampers
 from edesign.project.notation.grid import BayPlace
+from edesign.project.project import Project
 from edesign.study.design.device_text import devices_text
 from edesign.study.design.loop import RoundOutcome
 from edesign.study.design.verification import store_outcomes, stored_outcomes
@@ -112,7 +113,11 @@ def _store_chosen(group: Group, candidates: Candidates, chosen: Analysed) -> Non
         coordinate(group, "bay", [f"{frame}.{bay}" for frame, bay in bays], "", "bay of a plane frame, FRAME.BAY")
     else:
         bays = [("", bay) for bay in range(1, len(project.widths()) + 1)]
-        coordinate(group, "bay", [bay for _, bay in bays], "1", "bay of the frame")
+        there = project.frame.bays_in_building if isinstance(project, Project) else {}
+        numbers = [bay for _, bay in bays]
+        named = ["{}.{}".format(*there[bay]) if bay in there else str(bay) for bay in numbers]
+        label = "bay of the frame, of a frame of a building FRAME.BAY"
+        coordinate(group, "bay", named if there else numbers, "" if there else "1", label)
     coordinate(group, "storey", range(1, project.grid.n_storeys + 1), "1", f"storey of the {project.structure}")
     at = np.full((project.grid.n_storeys, len(bays)), -1)
     for position in space.positions:

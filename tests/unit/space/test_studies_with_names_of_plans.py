@@ -62,6 +62,8 @@ def test_a_study_of_a_row_of_frames(tmp_path: Path) -> None:
         assert dampers == ["VX_7_1_1", "VX_5_2_1", "VX_7_1_2", "VX_5_2_2", "RX_5a_1_1", "RX_5a_1_2"]
         placed = opened.group("analyses/placed.DBE.far").coords["damper"].values.tolist()
         assert placed and set(placed) <= {"FX_5a_2_1", "FX_5a_2_2"}
+        bays = opened.group("designs/placed").coords["bay"].values.tolist()
+        assert bays == ["X7.1", "X7.2", "3", "X5a.1", "X5a.2", "6", "X5.1", "X5.2"]
         frame = VariantFrames(opened, study.base, study).frame("both")
     held = {device.name: {one.at for one in connections_of(frame, device)} for device in frame.devices}
     assert {"P7.0", "Q'7.0"} <= held["VX_7_1_1"] and {"Q'5.1", "Sb5.1"} <= held["VX_5_2_2"]
