@@ -472,7 +472,7 @@ class Designer(ABC, Generic[S]):
         return f", with {' and '.join(found)}" if found else ""
 
     def taken_strain(self, sizing: S) -> float:
-        """Return the strain at which the properties of a sizing were taken; nan for dampers without layers."""
+        """Return the strain of histories at which properties were taken; nan where it is not followed, or no layers."""
         return math.nan
 
     def _kept(self, keep: Callable[[Group], None] | None) -> Callable[[Sequence[Round[S]]], None]:

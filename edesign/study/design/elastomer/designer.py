@@ -167,8 +167,8 @@ class ElastomerDesigner(Designer[ElastomerSizing]):
         return Bound(name, factor, temperature_C, ratio(at.last.moduli), period, at.last.damping, response)
 
     def taken_strain(self, sizing: ElastomerSizing) -> float:
-        """Return the strain at which the properties of a sizing were taken."""
-        return sizing.strain
+        """Return the strain of histories at which the properties of a sizing were taken; nan where it is not theirs."""
+        return sizing.strain if self.spec.strain == "histories" else math.nan
 
     def strain(self, sizing: ElastomerSizing, histories: Sequence[Group]) -> float:
         """Return the effective strain of the layers in histories of a sizing."""
