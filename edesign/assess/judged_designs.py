@@ -83,8 +83,9 @@ def held_braces(designs: Mapping[str, Group], sets: Sequence[HistorySet], study:
             variant = study.variants.get(own_variant(found.variant))
             if variant is None or name not in variant.designs or found.method is not None:
                 continue
-            below = hazard is not None and bool(own and found.level)
-            below = below and factor_of_level(hazard, found.level) < factor_of_level(hazard, own)
+            below = False
+            if hazard is not None and own and found.level:
+                below = factor_of_level(hazard, found.level) < factor_of_level(hazard, own)
             forces = brace_forces(design, found, rules)
             use = None if forces is None else forces / design.variables["brace_resistance"].values
             motions = len({found.motion_of[history] for history in found.completed})

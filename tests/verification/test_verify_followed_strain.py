@@ -143,7 +143,7 @@ def warnings_of(text: str) -> list[str]:
 
 
 def test_more_stiffness_than_adds_damping_is_reported_with_the_share_that_does() -> None:
-    text = "method: strain_energy, damping: 13 %, strain: 20 %, brace: {ratio: 3}"
+    text = "method: strain_energy, damping: 13 %, strain: 20 %, brace: {ratio: 3}, braces_in_target: false"
     (reported,) = [line for line in warnings_of(text) if "beyond the size" in line]
     n = loss_factor(0.2)
     ratio = 0.26 / (n - 0.26)

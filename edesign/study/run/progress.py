@@ -25,8 +25,8 @@ class Progress:
         fraction: done part of this analysis, 0 to 1.
         message: text of a note; at the end the status, with the reason of a failure.
         seconds: time that the analysis took, at its end (s).
-        left: time that is left at most of what a note is of, s; None: it is not known.
         plan: how much work each analysis of the plan is; empty where it is not known.
+        left: time that is left at most of what a note is of, s; None: it is not known.
     """
 
     event: Literal["note", "start", "advance", "end", "reuse"]
@@ -36,8 +36,8 @@ class Progress:
     fraction: float = 0.0
     message: str = ""
     seconds: float = 0.0
-    left: float | None = None
     plan: Mapping[str, Work] = field(default_factory=dict, repr=False)
+    left: float | None = None
 
 
 Listener = Callable[[Progress], None]
