@@ -106,16 +106,14 @@ def chosen_brace(sites: DamperSites, asked: ChosenBrace, place: DevicePlace, key
     )
 
 
-def first_that_holds(among: Sequence[Candidate], force: float, axial: float, begin: int = 0) -> int | None:
+def first_that_holds(among: Sequence[Candidate], force: float, axial: float) -> int | None:
     """Return the number of the lightest section that is strong and stiff enough; None: none is.
 
     Args:
         force: compression of one brace, N.
         axial: least E A / L of one brace, N/m.
-        begin: number of the first section that is tried.
     """
-    for number in range(begin, len(among)):
-        one = among[number]
+    for number, one in enumerate(among):
         if one.strut.resistance >= force and one.axial >= axial * (1.0 - 1e-12):
             return number
     return None

@@ -13,7 +13,9 @@ from edesign.project.dampers.designs import Bounds, SizedDesign
 from edesign.project.reading.words import percent
 from edesign.study.design.bounds import property_factors
 from edesign.study.design.condensed import LinearModes
+from edesign.study.design.device_model import Sizing
 from edesign.study.design.loop import Search
+from edesign.study.design.reach import REACHABLE
 
 ROUNDING = 1e-6  # of shares and ratios
 _SHARED = 0.5  # of the largest share: the mean says little of either
@@ -57,6 +59,17 @@ def shared_mode(modes: LinearModes, damping: np.ndarray) -> Iterator[str]:
             f"{percent(damping[first])} and {percent(damping[other])} to them by strain energy, and the target is of "
             "the mean over the modes"
         )
+
+
+def short_of_target(sizing: Sizing) -> list[str]:
+    """Return a warning where the estimate knows no dampers that reach the target damping, and histories decide."""
+    if not sizing.short:
+        return []
+    return [
+        f"the dampers add {percent(sizing.reached)} to the first mode, not the {percent(sizing.target)} of the target: "
+        f"the estimate says that about {percent(sizing.reached / REACHABLE)} is the most behind these braces and with "
+        "this distribution"
+    ]
 
 
 def estimate_warnings(spec: SizedDesign, done: Search[Any], drift: float) -> list[str]:

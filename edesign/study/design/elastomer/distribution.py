@@ -45,7 +45,8 @@ def distribute(
         assert spec.drift is not None, "check_design wants it"
         nearest = spec.verify is not None and spec.verify.change == "area"
         return least_area(model, moduli, spec.drift, thickness, before, nearest)
-    n, nearest = moduli.loss_factor, spec.braces_in_target is None and spec.counts_braces
+    n = moduli.loss_factor
+    nearest = spec.braces_in_target is None and spec.counts_braces and target == spec.damping
     if spec.target_in == "storeys":
         ratios = model.ratios.tolist() if spec.counts_braces else [math.inf] * model.building.storeys.size
         most = [REACHABLE * largest_damping(n, ratio) if nearest else math.inf for ratio in ratios]

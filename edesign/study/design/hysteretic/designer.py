@@ -30,6 +30,7 @@ from edesign.study.design.hysteretic.sizing import (
 from edesign.study.design.hysteretic.vibration import secant_vibration
 from edesign.study.design.loop import Search
 from edesign.study.design.optimum import optimum_warnings
+from edesign.study.design.plausibility import short_of_target
 from edesign.study.design.reach import REACHABLE
 from edesign.study.design.relaxation import AGREEMENT
 from edesign.study.design.results import of_storeys
@@ -157,7 +158,8 @@ class HystereticDesigner(Designer[HystereticSizing]):
 
     def further(self, group: Group, done: Search[HystereticSizing], found: FrameEstimate | None) -> list[str]:
         """Return what is implausible, a sentence each."""
-        spec, sizing, warnings = self.spec, done.chosen.sizing, []
+        spec, sizing = self.spec, done.chosen.sizing
+        warnings = short_of_target(sizing)
         if spec.optimum is not None and spec.verify is not None and done.chosen.outcome is not None:
             warnings += optimum_warnings(done.rounds, spec.optimum.range, spec.optimum.least, spec.verify.precision)
         strain = self.model.core_strain(sizing.vibration.secants.stroke)

@@ -12,7 +12,7 @@ from edesign.study.design.device_model import Sizing
 from edesign.study.design.hysteretic.model import HystereticModel, SecantVibration
 from edesign.study.design.hysteretic.vibration import bare_damping, secant_vibration
 from edesign.study.design.pattern import pattern_of
-from edesign.study.design.reach import reach
+from edesign.study.design.reach import REACHABLE, reach
 
 _FIRST = 0.25
 """First trial over what rigid-plastic dampers would need in the first mode without dampers, whose secants add nothing
@@ -45,7 +45,7 @@ def size_hysteretic(model: HystereticModel, target: float, factor: float = 1.0) 
         The yield forces with the vibration of the frame.
 
     Raises:
-        InputError: no yield forces reach the target.
+        InputError: no yield forces reach the target, and no histories are to decide on that of the design.
         AnalysisError: the frame is unstable, or amplitude and secants do not agree.
 
     Source: equivalent damping: Jacobsen (1930); ASCE/SEI 7-16, 18.7.3; share of the shears: Inoue and Kuwahara (1998),
@@ -73,15 +73,17 @@ def largest_hysteretic_damping(model: HystereticModel) -> float:
 
 
 def _share_of_damping(model: HystereticModel, target: float) -> float:
-    """The least share of the storey shears with a damping ratio.
+    """The least share of the storey shears with a damping ratio, or nearly the largest where histories are to decide.
 
     Raises:
         InputError: there is none.
     """
     share, found = _reach(model, target, target)
-    if found < target:
+    if found >= target:
+        return share
+    if model.spec.verify is None or target != model.spec.damping or found <= 0.0:
         raise InputError(_unreachable(model, target, share, found))
-    return share
+    return _reach(model, REACHABLE * found, REACHABLE * found)[0]
 
 
 def _reach(model: HystereticModel, target: float, least: float) -> tuple[float, float]:

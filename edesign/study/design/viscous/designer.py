@@ -21,7 +21,7 @@ from edesign.study.design.designer import Designer
 from edesign.study.design.estimate import Action, FrameEstimate
 from edesign.study.design.fully_stressed import StoreySizes, storey_sizes
 from edesign.study.design.loop import Search
-from edesign.study.design.plausibility import estimate_warnings
+from edesign.study.design.plausibility import estimate_warnings, short_of_target
 from edesign.study.design.reach import REACHABLE
 from edesign.study.design.results import of_storeys
 from edesign.study.design.viscous.dashpot_modes import DashpotModes
@@ -126,7 +126,7 @@ class ViscousDesigner(Designer[ViscousSizing]):
         """Add the damping by the law itself; return what is implausible, a sentence each."""
         sizing = done.chosen.sizing
         group.attributes["law_damping_strain_energy"] = self._law_damping(sizing)
-        warnings = list(viscous_warnings(self.model, sizing, found))
+        warnings = [*short_of_target(sizing), *viscous_warnings(self.model, sizing, found)]
         if found is not None and self.spec.distribution == "least_coefficient":
             warnings += estimate_warnings(self.spec, done, float(found.drift.max()))
         return warnings

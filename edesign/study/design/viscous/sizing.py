@@ -13,7 +13,7 @@ from edesign.errors import InputError
 from edesign.study.design.device_model import Sizing
 from edesign.study.design.least_total import Problem, least_total
 from edesign.study.design.pattern import pattern_of
-from edesign.study.design.reach import reach
+from edesign.study.design.reach import REACHABLE, reach
 from edesign.study.design.viscous.model import Dashpots, Vibration, ViscousModel
 
 _SMALL = 0.01  # damping ratio that is below every limit that a design asks for
@@ -54,7 +54,7 @@ def size_viscous(model: ViscousModel, target: float, factor: float = 1.0) -> Vis
         The coefficients with the vibration of the frame; with a `reason` where the iteration did not converge.
 
     Raises:
-        InputError: no coefficients reach the target.
+        InputError: no coefficients reach the target, and no histories are to decide on that of the design.
         AnalysisError: no coefficients do what is wanted, or the frame is unstable.
 
     Source: distributions, Hwang, Lin and Wu (2013).
@@ -160,7 +160,9 @@ def _coefficients(
     ends = _ends(model, pattern, weight, target)
     scale, found = reach(partial(_damping, model, pattern, weight), target, *ends)
     if found < target:
-        raise InputError(_unreachable(model, target, found, before is not None))
+        if model.spec.verify is None or target != model.spec.damping:
+            raise InputError(_unreachable(model, target, found, before is not None))
+        scale, _ = reach(partial(_damping, model, pattern, weight), REACHABLE * found, *ends)
     return scale * pattern
 
 
