@@ -19,7 +19,7 @@ K_D = np.array([67309, 34867, 29567, 27121, 22014, 19687, 18870, 16608, 15069, 1
 AREA_RATIO = np.array([26.84, 13.90, 11.79, 10.82, 8.78, 7.85, 7.52, 6.62, 6.01, 4.97])
 COMMON = (
     "method: strain_energy, law: elastomer, bays: [1, 3], layers: 2, damping: 10 %, strain: 20 %, "
-    "drift: 1 %, strain_limit: 50 %, brace: {ratio: 7}"
+    "drift: 1 %, strain_limit: 50 %, brace: {ratio: 7}, braces_in_target: false, target_in: storeys"
 )
 FIXED = "properties: {G_storage: 1.06 MPa, loss_factor: 0.3535}"
 

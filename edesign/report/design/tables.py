@@ -276,6 +276,8 @@ def rounds_table(group: Group) -> Table:
         limits = zip(criteria.items(), values["verdict_limit"].values[-1], strict=True)
         said = [f"{name} {column.text(float(limit))} {column.unit_in_files}" for (name, column), limit in limits]
         notes.append(f"limits: {', '.join(one.rstrip() for one in said)}")
+    if group.attributes.get("braces_in_target") is False and "damping_target" in group.attributes:
+        notes.append("target: of the dampers alone (`braces_in_target: false`); damping: with their braces")
     if "round_brace_use" in values:
         level = group.attributes["history_force_level"]
         notes.append(f"braces: the largest N_Ed / N_b,Rd by the forces of the histories at {level}")

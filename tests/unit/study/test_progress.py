@@ -4,12 +4,17 @@ from __future__ import annotations
 
 import csv
 import heapq
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
+from edesign.archive.dataset import Group
+from edesign.cli.shared.progress import describe
+from edesign.project.dampers.verification import LoopVerify, PlacementVerify
 from edesign.study.run.pace import Pace, Work
 from edesign.study.run.progress import Progress, Tally
+from edesign.study.run.study_designs import Evaluated
 
 
 class Run:
@@ -197,3 +202,20 @@ def test_the_pace_of_what_is_new_is_that_of_its_variant_times_that_of_its_level(
     known = [pace.seconds(Work(1000.0, "history", ("other", level))) or 0.0 for level in ("DBE", "MCE")]
     assert known[1] / known[0] == pytest.approx(1.5, rel=0.02)
     assert pace.seconds(Work(1.0, "modal")) is None
+
+
+def test_rounds_of_a_design_take_at_most_the_time_of_those_that_ran() -> None:
+    """30 s and 50 s of eight rounds: 6 x 40 s are left; of layouts, 3 of 20 histories each, 4. Sizing is left out."""
+    now, evaluated = [0.0], Evaluated(lambda: now[0])
+    rounds, layouts = LoopVerify.model_construct(rounds=8), PlacementVerify.model_construct(budget=20)
+    assert evaluated.left(rounds) is None
+
+    def histories(seconds: float) -> Iterator[dict[str, Group]]:
+        now[0] += seconds
+        yield dict.fromkeys("abc", Group())
+
+    for seconds in (30.0, 50.0):
+        assert len(next(evaluated.counted(histories(seconds)))) == 3
+        now[0] += 7.0
+    assert (evaluated.left(rounds), evaluated.left(layouts), evaluated.left(None)) == (240.0, 160.0, None)
+    assert describe(Progress("note", message="round 3", left=240.0)) == "round 3, at most about 4 min left"

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from edesign.codes.asce7.spectrum import EARTHQUAKES
 from edesign.codes.ec8.importance import NEAR_COLLAPSE, NEAR_COLLAPSE_CLAUSE, factor_of_return_period
+from edesign.damper.sizing import largest_damping
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import factor_of_level, national_of
 from edesign.project.actions.hazard import AsceHazard, EC8Hazard
@@ -93,30 +94,21 @@ def _other_strain(model: ElastomerModel, sizing: ElastomerSizing, reached: float
 
 
 def _short_of_target(model: ElastomerModel, sizing: ElastomerSizing) -> Iterator[str]:
-    """What dampers reach that stay below the target, and why; or what they reach with braces that it leaves out."""
+    """What dampers reach that stay below the target, and why."""
     spec = model.spec
-    if not isinstance(spec, StrainEnergyDesign) or math.isnan(sizing.reached):
+    if not isinstance(spec, StrainEnergyDesign) or not sizing.short:
         return
-    n, asked = sizing.moduli.loss_factor, percent(spec.damping or math.nan)
-    if sizing.short and spec.target_in == "storeys":
-        yield (
-            f"each storey has the {asked} of the target by itself (Eq. 5.9), and the first mode has "
-            f"{percent(sizing.reached)}; `target_in: first_mode` sizes for the mode"
-        )
-    elif sizing.short:
+    n, whose, ratio = sizing.moduli.loss_factor, "the first mode", float(model.ratios.min())
+    if spec.target_in == "storeys":
+        whose, most = "a storey", largest_damping(n, ratio)
+    else:
         pattern = pattern_of(model.building, spec.distribution)
         most = nearest_scale(model, pattern, n, 0.5 * n * (1.0 - ROUNDING))[1]
-        yield (
-            f"the dampers add {percent(sizing.reached)} to the first mode, not the {asked} of the target: behind "
-            f"braces of {float(model.ratios.min()):.3g} times the stiffness of the storey, n = {n:.4g} adds "
-            f"{percent(most)} at most. Stiffer braces, more places or a law that loses more add more"
-        )
-    elif not spec.counts_braces and spec.brace != "rigid":
-        behind = model.first_damping(model.of(sizing))
-        yield (
-            f"the {percent(sizing.reached)} of the target are of the dampers alone (`braces_in_target: false`); with "
-            f"their braces they add {percent(behind)} to the first mode"
-        )
+    yield (
+        f"the dampers add {percent(sizing.reached)} to {whose}, not the {percent(spec.damping or math.nan)} of the "
+        f"target: behind braces of {ratio:.3g} times the stiffness of the storey, n = {n:.4g} adds {percent(most)} at "
+        "most. Stiffer braces, more places or a law that loses more add more"
+    )
 
 
 def _too_stiff(model: ElastomerModel, sizing: ElastomerSizing) -> Iterator[str]:

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from edesign.damper.sizing import in_series
 from edesign.project.dampers.designs import StrainEnergyDesign
 from edesign.study.design.elastomer.distribution import distribute
 from edesign.study.design.elastomer.frequency_consistent import at_consistent_frequency
@@ -66,7 +67,17 @@ def size_by_strain_energy(
         return model.share * model.estimated_strain(found.size, found.moduli.loss_factor, thickness)
 
     at = at_consistent_strain(model, solve, lambda found: found.moduli, reached, start_strain(model, thickness))
-    damping = math.nan if math.isnan(target) else model.first_damping(model.of(at.found, spec.counts_braces))
-    return replace(
-        at.found, reached=damping, reason=at.found.reason or at.reason, strain=at.strain, strain_steps=at.steps
-    )
+    reason, damping = at.found.reason or at.reason, _reached(model, spec, at.found)
+    return replace(at.found, reached=damping, reason=reason, strain=at.strain, strain_steps=at.steps)
+
+
+def _reached(model: ElastomerModel, spec: StrainEnergyDesign, found: ElastomerSizing) -> float:
+    """The damping that answers the target: of the first mode, or the least of the storeys, each by itself (Eq. 5.9)."""
+    if math.isnan(found.target):
+        return math.nan
+    if spec.target_in == "first_mode":
+        return model.first_damping(model.of(found, spec.counts_braces))
+    stiffness = found.size * (1.0 + 1.0j * found.moduli.loss_factor)
+    if spec.counts_braces and model.brace is not None:
+        stiffness = in_series(stiffness, model.brace)
+    return float(np.min(0.5 * stiffness.imag / (model.building.designed_stiffness + stiffness.real)))
