@@ -142,6 +142,8 @@ def _chosen(group: Group, asked: QuantityCriterion, project: AnalysisFile) -> li
         places = [i for i in places if place == "storey" or in_frames(group, place, i, asked.frames)]
     if place == "damper":
         places = [i for i in places if in_frames(group, place, i, asked.frames)]
+    if asked.of != "all":
+        places = [i for i in places if asked.counts(labels[i], project.dissipative(labels[i]))]
     wanted = asked.storeys.numbers(1, grid.n_storeys)
     return [i for i in places if (asked.storeys.is_all or storeys[i] in wanted) and (not names or labels[i] in names)]
 

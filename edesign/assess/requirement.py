@@ -139,6 +139,9 @@ def _of_quantity(
     words = f"{criterion.quantity.replace('_', ' ')}{_of_what(criterion)} {_range(criterion)}"
     for key in SELECTIONS[quantity.place]:
         chosen = getattr(criterion, key)
+        if key == "of":
+            words += _KINDS_IN_WORDS[chosen]
+            continue
         text = ", ".join(chosen) if isinstance(chosen, tuple) else "" if chosen.is_all else str(chosen)
         words += f", {key if set(',-') & set(text) else key.removesuffix('s')} {text}" if text else ""
     words += _in_space(criterion)
@@ -154,6 +157,14 @@ def _of_quantity(
         lacks=partial(lacking, asked=criterion, project=project),
         missing=partial(missing_history, asked=criterion),
     )
+
+
+_KINDS_IN_WORDS = {
+    "all": "",
+    "columns": ", columns",
+    "beams": ", beams",
+    "not_dissipative": ", members that are not meant to yield",
+}
 
 
 def _of_what(criterion: QuantityCriterion) -> str:

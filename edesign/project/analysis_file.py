@@ -114,6 +114,10 @@ class AnalysisFile(RecordFiles, FileModel):
             along: direction of the frames of a building; None: of a plane frame.
         """
 
+    def dissipative(self, member: str) -> bool:
+        """Return whether a member is meant to yield; buildings do not say it here."""
+        return False
+
     @abstractmethod
     def with_dampers(self, dampers: Dampers | None) -> Self:
         """Return the file with other dampers; without any the members keep their names."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cached_property
 from pathlib import Path
 from typing import Annotated, ClassVar, Self
 
@@ -27,6 +28,7 @@ from edesign.project.frame.hinges import Hinges, Joints, PanelZones
 from edesign.project.frame.materials import Material
 from edesign.project.frame.member_design import FrameDesign
 from edesign.project.frame.sections import Fibres, Section
+from edesign.project.notation import names
 from edesign.project.notation.frames import Direction
 from edesign.project.notation.grid import Grid
 from edesign.project.reading.base import FormatVersion
@@ -111,6 +113,20 @@ class Project(AnalysisFile):
             for storey in run.storeys.numbers(1, grid.n_storeys)
             for bay in run.bays.numbers(1, grid.n_bays)
         ]
+
+    def dissipative(self, member: str) -> bool:
+        """Return whether `design` says that a beam or brace is meant to yield; halves of a beam are what it is."""
+        return not self.dissipative_members.isdisjoint((member, member.rpartition("_")[0]))
+
+    @cached_property
+    def dissipative_members(self) -> frozenset[str]:
+        """Names of the beams and braces that are meant to yield; halves of a beam are one here."""
+        if self.design is None:
+            return frozenset()
+        frame, of = self.frame, self.design.dissipative
+        places = {place for chosen in of.beams for place in frame.standing_beams(chosen)}
+        braces = [name for name in frame.members if of.braces == "all" and names.member_kind(name) == "brace"]
+        return frozenset([*(frame.beam_name(*place) for place in places), *braces])
 
     def widths(self, along: Direction | None = None) -> tuple[float, ...]:
         """Return the widths of the bays from the left, m; the frame has no other direction."""

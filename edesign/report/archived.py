@@ -12,7 +12,6 @@ from edesign.frame.sections.building_sections import BuildingSections
 from edesign.ground_motion.seismic_action.files import text_name
 from edesign.project.actions.hazard_base import Hazard
 from edesign.project.analysis_file import AnalysisFile
-from edesign.project.frame.member_design import FrameDesign
 from edesign.project.loader import parse_project
 from edesign.project.project import Project
 from edesign.project.reading.file_model import FileModel
@@ -126,13 +125,12 @@ def archived_hazard(archive: Archive) -> Hazard | None:
     return None if base is None else base.hazard
 
 
-def archived_design(archive: Archive) -> FrameDesign | None:
-    """Return what the checks of the plane frame of an archive go by; None of a building, or without it."""
+def archived_frame(archive: Archive) -> Project | None:
+    """Return the project of an archive of a plane frame; None of a building, or if its text cannot be read."""
     try:
-        project = archived_project(archive)
+        return archived_project(archive)
     except EdesignError:
         return None
-    return None if project is None else project.design
 
 
 def archived_study(archive: Archive) -> Study | None:

@@ -44,6 +44,8 @@ def check_places(
         chosen = storeys.numbers(0, grid.n_storeys)  # 0: of beams at an isolated base
 
         def stands(name: str) -> bool:
+            if isinstance(criterion, QuantityCriterion) and not criterion.counts(name, project.dissipative(name)):
+                return False
             return storey_of(name) in chosen and in_frames(frames_of_member(name))
 
         standing = [name for name in grid.members if member_kind(name) in _MEMBERS[place]]
@@ -82,6 +84,7 @@ def _check(
     given = {
         "storeys": "" if criterion.storeys.is_all else f"storeys {criterion.storeys}",
         "floors": f"floors {getattr(criterion, 'floors', '')}" if "floors" in criterion.model_fields_set else "",
+        "of": "what `of` chooses" if getattr(criterion, "of", "all") != "all" else "",
         "frames": f"frames {', '.join(criterion.in_space.frames)}" if criterion.in_space.frames else "",
     }
     where = f"in {' of '.join(text for text in given.values() if text)}" if any(given.values()) else "at the base"

@@ -14,7 +14,7 @@ from edesign.project.notation.names import member_kind
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, did_you_mean, listed
 
-_CHOOSING = ("floors", "storeys", "members", "dampers", "lines", "side", "frequency", "damping", "term")
+_CHOOSING = ("floors", "storeys", "members", "of", "dampers", "lines", "side", "frequency", "damping", "term")
 
 
 def check_quantity(
@@ -61,6 +61,8 @@ def check_quantity(
     if "members" in own:
         what = "column or beam" if quantity.place == "member" else quantity.place
         check_members((*keys, "members"), criterion.members, project, what, problems)
+    if "of" in own and quantity.place == "brace" and criterion.of in ("columns", "beams"):
+        problems.at_value((*keys, "of"), f"`{name}` is of braces: `all` or `not_dissipative` goes here [E-CRIT-04]")
     if "dampers" in own and criterion.dampers:
         chosen = criterion.variants or tuple(dampers)
         known = dict.fromkeys(damper for variant in chosen for damper in dampers.get(variant, ()))

@@ -51,6 +51,8 @@ def check_frame(project: Project, problems: Problems, profiles: Catalogue | None
     _leaning_column(project, problems)
     check_own_sections(project.sections, problems, profiles)
     if project.design is not None:
+        for i, beams in enumerate(project.design.dissipative.beams):
+            check.standing_beams(("design", "dissipative", "beams", i), beams)
         for name in project.design.elastic_use:
             if name not in frame.members:
                 problems.at_key(("design", "elastic_use", name), unknown_name("member", name, frame.members))

@@ -27,6 +27,7 @@ from edesign.project.criteria.measures import (
 )
 from edesign.project.criteria.performance import PERFORMANCE_STANDARDS, By, PerformanceLevel, Standard
 from edesign.project.document import LONGEST
+from edesign.project.notation.names import member_kind
 from edesign.project.notation.quantities import Kind
 from edesign.project.notation.selections import ALL_LINES, ALL_NUMBERS, Lines, Numbers
 from edesign.project.notation.several import several
@@ -245,6 +246,7 @@ class QuantityCriterion(_SomewhereInSpace):
         least: least value required; beside `most` the lower end of a target range, below which is better than required.
         floors: floors that count.
         members: columns, beams or braces that count, or `all`.
+        of: kind of members that count; `not_dissipative` those of both that `design` does not let yield.
         dampers: dampers that count, or `all`.
         lines: column lines that count, of supports or isolators at their bases.
         side: tension or compression alone; of a vertical reaction tension is uplift.
@@ -264,6 +266,7 @@ class QuantityCriterion(_SomewhereInSpace):
     least: _Limit | None = None
     floors: Numbers = ALL_NUMBERS
     members: Names = ()
+    of: MemberKinds | Literal["not_dissipative"] = "all"
     dampers: Names = ()
     lines: Lines = ALL_LINES
     side: Side | None = None
@@ -299,6 +302,16 @@ class QuantityCriterion(_SomewhereInSpace):
             over_time=quantity.over_time,
             from_below=self.most is None,
         )
+
+    def counts(self, member: str, dissipative: bool) -> bool:
+        """Return whether `of` chooses a member.
+
+        Args:
+            dissipative: whether it is meant to yield.
+        """
+        if self.of == "not_dissipative":
+            return not dissipative
+        return self.of == "all" or self.of == f"{member_kind(member)}s"
 
     @field_validator("most", "least", mode="before")
     @classmethod

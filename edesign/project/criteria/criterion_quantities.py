@@ -31,8 +31,8 @@ SELECTIONS: dict[Place, tuple[str, ...]] = {
     "storey": ("storeys",),
     "column": ("storeys", "members"),
     "beam": ("storeys", "members"),
-    "brace": ("storeys", "members"),
-    "member": ("storeys", "members"),
+    "brace": ("storeys", "members", "of"),
+    "member": ("storeys", "members", "of"),
     "damper": ("storeys", "dampers"),
     "isolator": ("lines",),
     "support": ("lines",),
@@ -262,5 +262,5 @@ def keys_of(name: str, in_space: bool = False) -> tuple[str, ...]:
     quantity = QUANTITIES[name]
     places = SELECTIONS[quantity.place]
     if in_space:
-        places = (*(key for key in places if key != "lines"), *quantity.in_space)
+        places = (*(key for key in places if key not in ("lines", "of")), *quantity.in_space)
     return (*places, *(("side",) if quantity.sides else ()), *quantity.own)

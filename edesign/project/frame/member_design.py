@@ -6,6 +6,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field
 
+from edesign.project.frame.members import BeamPlaces
 from edesign.project.notation.units import PositiveFactor, PositiveForce
 from edesign.project.notation.written import Written, given
 from edesign.project.reading.base import Model
@@ -114,18 +115,32 @@ class ElasticUse(Model):
     across: AcrossBracing | None = None
 
 
+class Dissipative(Model):
+    """Members that are meant to yield in an earthquake: their plastic rotations judge them, not their use.
+
+    Attributes:
+        beams: beams with plastic hinges, of moment frames.
+        braces: whether the braces are, of concentrically braced frames.
+    """
+
+    beams: tuple[BeamPlaces, ...] = ()
+    braces: Literal["all", "none"] = "none"
+
+
 class FrameDesign(Model):
     """What the checks of a plane frame's members go by.
 
     Attributes:
         members: how members are checked.
         partial_factors: partial factors; without a key that of the country.
+        dissipative: members that are meant to yield; tables of use have them apart.
         elastic_use: by member what the elastic design of its building found, which `edesign extract` writes; tables
             have it beside the use under the forces of histories.
     """
 
     members: MemberStability = MemberStability()
     partial_factors: SteelFactors = SteelFactors()
+    dissipative: Dissipative = Dissipative()
     elastic_use: dict[str, ElasticUse] = {}
 
     @property

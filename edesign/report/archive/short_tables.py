@@ -13,7 +13,7 @@ from edesign.assess.sets import history_sets
 from edesign.errors import EdesignError
 from edesign.project.study.study import Study
 from edesign.report.archive_view import all_results, design_warnings, ending, entry, input_warnings
-from edesign.report.archived import archived_base, archived_hazard, archived_study
+from edesign.report.archived import archived_base, archived_frame, archived_hazard, archived_study
 from edesign.report.assessment.change_tables import changes_in_short
 from edesign.report.assessment.derived_results import not_swept
 from edesign.report.assessment.derived_tables import derived_tables
@@ -124,7 +124,7 @@ def _of_study(archive: Archive, study: Study, groups: dict[str, Group]) -> list[
         tables.append(verdicts)
         governing += others
     shown = not_swept(study, sets)
-    use = use_in_short(shown, study.base.hazard)
+    use = use_in_short(shown, study.base.hazard, archived_frame(archive))
     tables += [*governing, use, response_in_short(shown), changes_in_short(shown)]
     tables += [isolation_statistics_table(sets), *derived_tables(study, sets)]
     tables.append(states_table(study.base, groups, study, STATES_IN_SHORT))
@@ -140,7 +140,7 @@ def _of_project(archive: Archive, groups: dict[str, Group]) -> list[Table]:
     tables: list[Table] = [_periods(groups)]
     tables.append(states_table(archived_base(archive) if targets else None, groups, None, STATES_IN_SHORT))
     tables += [response_in_short(sets) if sets or targets else _measures(entries[:ANALYSES_SHOWN])]
-    tables += [use_in_short(sets, archived_hazard(archive)), changes_in_short(sets)]
+    tables += [use_in_short(sets, archived_hazard(archive), archived_frame(archive)), changes_in_short(sets)]
     tables += [isolation_table(groups)]
     tables += [isolation_estimate_table(name, group) for name, group in groups.items()]
     footings = first_mode_table(groups)

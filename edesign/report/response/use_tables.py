@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 
@@ -11,7 +11,8 @@ from edesign.assess.sets import HistorySet
 from edesign.codes.motion_sets import SetRules
 from edesign.ground_motion.hazard import rules_in_force
 from edesign.project.actions.hazard_base import Hazard
-from edesign.project.frame.member_design import ElasticUse, FrameDesign
+from edesign.project.frame.member_design import ElasticUse
+from edesign.project.project import Project
 from edesign.report.assessment.measure_tables import label, missing_notes
 from edesign.report.tables.column import Column, col, count, text
 from edesign.report.tables.number import finite
@@ -108,6 +109,7 @@ ELASTIC = TableSpec[_Beside](
     keys=3,
     each="Use beside that in the elastic design of the building",
 )
+MEANT = "Meant to yield, judged by their plastic deformations, and so never listed as beyond 1:"
 ACROSS = (
     "N across: compression that the seismic action across the frame brings to columns of a bracing there, in the "
     "combinations in which that along the frame leads (EN 1998-1, 4.3.3.5.1(3), 6.7.4(1)). With it: use of the column "
@@ -124,6 +126,7 @@ class _Uses:
     members: Sequence[LoadedMember]
     bare: Mapping[str, float]
     uplift: float | None
+    dissipative: Callable[[str], bool]
 
     @property
     def rows(self) -> list[_Use]:
@@ -139,8 +142,13 @@ class _Uses:
         return max((one for one in self.members if one.kind == kind), key=lambda one: one.use, default=None)
 
     def beyond(self, kind: str) -> list[_Use]:
-        """Members of a kind beyond 1, the worst first."""
-        return sorted((one for one in self.rows if one.member.kind == kind and one.member.use > 1.0), key=_order)
+        """Members of a kind beyond 1 that are not meant to yield, the worst first."""
+        every = (one for one in self.rows if one.member.kind == kind and one.member.use > 1.0)
+        return sorted((one for one in every if not self.dissipative(one.member.name)), key=_order)
+
+    def yielding(self, kind: str) -> list[LoadedMember]:
+        """Members of a kind that are meant to yield."""
+        return [one for one in self.members if one.kind == kind and self.dissipative(one.name)]
 
     def number(self, kind: str) -> int | None:
         """How many members of a kind go beyond 1; None: there are none of it."""
@@ -161,8 +169,13 @@ def _order(one: _Use) -> float:
     return -one.member.use
 
 
-def _uses(sets: Sequence[HistorySet], hazard: Hazard | None) -> list[_Uses]:
+def _never(member: str) -> bool:
+    return False
+
+
+def _uses(sets: Sequence[HistorySet], hazard: Hazard | None, frame: Project | None) -> list[_Uses]:
     """The sets whose archives know uses."""
+    dissipative = _never if frame is None else frame.dissipative
     rules = rules_in_force(hazard)
     of_set = {id(found): loaded_members(found, rules) for found in sets}
     found = []
@@ -171,11 +184,11 @@ def _uses(sets: Sequence[HistorySet], hazard: Hazard | None) -> list[_Uses]:
             other = without_dampers(sets, one)
             bare = {} if other is None else {member.name: member.use for member in of_set[id(other)]}
             lifts = [support.V for support in support_forces(one, rules) if support.extreme == "least compression"]
-            found.append(_Uses(one, rules, members, bare, max(0.0, -min(lifts)) if lifts else None))
+            found.append(_Uses(one, rules, members, bare, max(0.0, -min(lifts)) if lifts else None, dissipative))
     return found
 
 
-def use_tables(sets: Iterable[HistorySet], hazard: Hazard | None, design: FrameDesign | None = None) -> Iterator[Table]:
+def use_tables(sets: Iterable[HistorySet], hazard: Hazard | None, frame: Project | None = None) -> Iterator[Table]:
     """Return the tables of each set of histories: the worst member of each storey, and all beyond 1.
 
     Of frames that are taken out of a building the use in its elastic design stands beside.
@@ -184,8 +197,8 @@ def use_tables(sets: Iterable[HistorySet], hazard: Hazard | None, design: FrameD
         sets: those of archives that do not know uses are left out.
         hazard: of the file, whose code says what counts of several motions.
     """
-    elastic = {} if design is None else design.elastic_use
-    for uses in _uses(list(sets), hazard):
+    elastic = {} if frame is None or frame.design is None else frame.design.elastic_use
+    for uses in _uses(list(sets), hazard, frame):
         places: dict[tuple[str, int], _Use] = {}
         for one in uses.rows:
             place = one.member.kind, one.member.storey
@@ -193,6 +206,8 @@ def use_tables(sets: Iterable[HistorySet], hazard: Hazard | None, design: FrameD
                 places[place] = one
         rows = sorted(places.items(), key=lambda place: (KINDS.index(place[0][0]), place[0][1]))
         notes = wrapped(f"{uses.note} {MEANING}".strip())
+        if kinds := [f"{kind}s" for kind in KINDS if uses.yielding(kind)]:
+            notes += wrapped(f"{MEANT} {' and '.join(kinds)}: `design: dissipative`.")
         notes += missing_notes([uses.found], labelled=False)
         without = ("largest",) if uses.found.motions == 1 else ()
         yield USE.of([one for _, one in rows], whose=label(uses.found), notes=notes, without=without)
@@ -255,16 +270,16 @@ IN_SHORT = TableSpec[_Uses](
 )
 
 
-def use_in_short(sets: Sequence[HistorySet], hazard: Hazard | None) -> Table:
+def use_in_short(sets: Sequence[HistorySet], hazard: Hazard | None, frame: Project | None = None) -> Table:
     """Return the worst uses of each set in a row with how many members go beyond 1, and which do so by the dampers.
 
     Of more than `MOST_SETS` sets, those with the largest use of each variant.
 
     Args:
         sets: of histories; those of archives that do not know uses are left out.
-        hazard: as of `use_tables`.
+        hazard, frame: as of `use_tables`.
     """
-    every = _uses(sets, hazard)
+    every = _uses(sets, hazard, frame)
     levels = len(every)
     if levels > MOST_SETS:
         worst: dict[str, _Uses] = {}
@@ -296,6 +311,12 @@ def _in_words(uses: _Uses) -> list[str]:
         if because:
             named = [f"{one.member.name} {one.member.use:.2f} (without {one.bare:.2f})" for one in because]
             lines += wrapped(f"{label(uses.found)}: dampers bring {kind}s beyond 1: {_listed(named)}")
+    for kind in KINDS:
+        meant = uses.yielding(kind)
+        if yielded := [one for one in meant if one.use > 1.0]:
+            most = max(yielded, key=lambda one: one.use)
+            told = f"{len(yielded)} of {len(meant)} {kind}s that are meant to yield do, {most.name} {most.use:.2f}"
+            lines += wrapped(f"{label(uses.found)}: {told}: their deformations count")
     across = [one for one in uses.members if one.across is not None and one.across > 1.0 >= one.use]
     if across:
         across.sort(key=lambda one: -(one.across or 0.0))

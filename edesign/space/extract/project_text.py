@@ -18,6 +18,7 @@ from edesign.project.frame.materials import ElasticMaterial, Material, Menegotto
 from edesign.project.frame.member_design import ElasticUse, MemberStability, SteelFactors
 from edesign.project.frame.sections import BoxSection, PlateSection, RectangleSection
 from edesign.project.reading.yaml_edit import yaml_text
+from edesign.space.checks.capacity import dissipative_members
 from edesign.space.extract.ends_text import ends_text
 from edesign.space.extract.frame_row import FrameRow
 from edesign.space.extract.leaning import leaning, leaning_shares
@@ -25,7 +26,7 @@ from edesign.space.extract.plane_frame import AtNodes, PlaneFrame, parallel_fram
 from edesign.space.extract.selections import runs, selection, value
 from edesign.space.extract.study_text import StudyNames, study_blocks
 from edesign.space.structure.area_loads import BeamShare
-from edesign.space.structure.design_block import design_of
+from edesign.space.structure.design_block import MOMENT_FRAME, design_of, system_of
 from edesign.space.structure.load_cases import ALWAYS
 from edesign.space.structure.masses import gravity_factor
 from edesign.space.structure.restrained import law_of_run
@@ -415,7 +416,24 @@ class _ProjectText:
         factors = design.partial_factors.model_dump(include=set(SteelFactors.model_fields))
         blocks = ({"members": members} if members else {}) | {"partial_factors": factors}
         text = ["design:", *(f"  {name}: {yaml_text(of).strip()}" for name, of in blocks.items())]
-        return [*text, *self._elastic_use(), ""]
+        return [*text, *self._dissipative(), *self._elastic_use(), ""]
+
+    def _dissipative(self) -> list[str]:
+        """Beams with hinges of a moment frame, or braces, which are to yield before all else."""
+        design = design_of(self.building)
+        if design.ductility_class == "low":
+            return []
+        system = system_of(design, self.row.along).type
+        space, numbers = self.row.space, dissipative_members(self.row.space, self.row.along, system)
+        members = {space.members[number].name for number in numbers}
+        if system != MOMENT_FRAME:
+            return ["  dissipative: {braces: all}"] if members else []
+        found = self.row.merged(
+            lambda frame: {(p.bay, p.floor): True for p in frame.beams if members & {str(p), f"{p}_1", f"{p}_2"}}
+        )
+        places = runs(found, self.bays, self.storeys, str)
+        beams = ", ".join(f"{{bays: {at}, floors: {floors}}}" for at, floors, _ in places)
+        return [f"  dissipative: {{beams: [{beams}]}}"] if found else []
 
     def _elastic_use(self) -> list[str]:
         """The use of the frame's members in the elastic design, a line each."""

@@ -20,6 +20,7 @@ from edesign.project.reading.yaml_edit import yaml_text
 from edesign.space.extract.frame_row import FrameRow
 from edesign.space.extract.selections import selection, value
 from edesign.space.extract.study_limits import study_hazard, study_limits
+from edesign.space.structure.design_block import MOMENT_FRAME, design_of, system_of
 
 MOTIONS = "motions"
 """Name of the records in the project."""
@@ -152,7 +153,7 @@ criteria:
     measure: residual_interstorey_drift
     levels: {level}
     most: {100.0 * RESIDUAL_DRIFT:g} %
-
+{_uses(row, level)}
 {last if limits.objectives else ""}outputs: {{histories: [floors], every: 2}}
 """
 
@@ -164,6 +165,23 @@ def _safety(letters: Sequence[str]) -> str:
         return "the basic safety objective of FEMA 356"
     rarities = ", ".join(f"{letter}: {100.0 * OBJECTIVES[letter].probability:g} %" for letter in absent)
     return f"a part of the basic safety objective of FEMA 356; no level is of {rarities} in 50 years"
+
+
+def _uses(row: FrameRow, level: str) -> str:
+    """Criteria of members that are not meant to yield: columns, and beams and braces that are not dissipative."""
+    if row.building.design is None:
+        return ""
+    asked = [("sections", "section_use", "# columns, and what is not meant to yield: EN 1993-1-1, 6.2")]
+    asked.append(("members", "member_use", "# likewise against buckling: 6.3"))
+    of_design = design_of(row.building)
+    yields = of_design.ductility_class != "low" and system_of(of_design, row.along).type != MOMENT_FRAME
+    if any(frame.braces for frame in row.frames) and not yields:
+        asked.append(("braces", "brace_use", "# likewise in tension and against buckling"))
+    return "".join(
+        f"  - name: {name:<30}{told}\n    quantity: {quantity}\n    of: not_dissipative\n    levels: {level}\n"
+        f"    most: 1\n"
+        for name, quantity, told in asked
+    )
 
 
 def _motions(row: FrameRow) -> dict[str, tuple[list[str], str]]:

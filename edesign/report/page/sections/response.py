@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from edesign.assess.sets import HistorySet
 from edesign.project.actions.hazard_base import Hazard
-from edesign.project.frame.member_design import FrameDesign
-from edesign.report.archived import archived_design, archived_hazard
+from edesign.project.project import Project
+from edesign.report.archived import archived_frame, archived_hazard
 from edesign.report.assessment.change_tables import changes_table
 from edesign.report.assessment.measure_tables import record_measures_table, statistics_tables
 from edesign.report.drawing.captions import at_level
@@ -39,18 +39,18 @@ def response(source: Source) -> Section:
         table = measures_table(source.entries)
         parts += [table] if table.rows else []
     parts += torsion_tables(sets)
-    parts += _members(sets, archived_hazard(source.archive), archived_design(source.archive))
+    parts += _members(sets, archived_hazard(source.archive), archived_frame(source.archive))
     parts += _profiles(source)
     orbits = source.pictures(orbit_figures)
     parts += [Folded("Orbits in plan", orbits)] if len(orbits) > 1 else orbits
     return Section("response", "Peak response", (), tuple(parts))
 
 
-def _members(sets: list[HistorySet], hazard: Hazard | None, design: FrameDesign | None) -> list[Part]:
+def _members(sets: list[HistorySet], hazard: Hazard | None, frame: Project | None) -> list[Part]:
     """Return how far members are used, the worst of each storey and all beyond 1, and the reactions of supports."""
     parts: list[Part] = []
     for said, tables in (
-        ("Use of columns, beams and braces, of each storey and beyond 1", tuple(use_tables(sets, hazard, design))),
+        ("Use of columns, beams and braces, of each storey and beyond 1", tuple(use_tables(sets, hazard, frame))),
         ("Reactions of supports for foundations", tuple(support_tables(sets, hazard))),
     ):
         parts += [Folded(said, tables)] if tables else []

@@ -10,7 +10,7 @@ from edesign.assess.measures import Located, located_measure
 from edesign.assess.sets import HistorySet
 from edesign.assess.statistics import STATISTICS, Statistics
 from edesign.project.building import Building
-from edesign.report.archived import archived_hazard
+from edesign.report.archived import archived_frame, archived_hazard
 from edesign.report.assessment.change_tables import changes_in_short
 from edesign.report.assessment.measure_columns import ROUNDING
 from edesign.report.assessment.measure_tables import missing_notes, motion_notes
@@ -116,7 +116,7 @@ def summary(source: Source) -> Section:
     tables = (
         verdicts,
         governing_table(source.statistics),
-        use_in_short(sets, archived_hazard(source.archive)),
+        use_in_short(sets, archived_hazard(source.archive), archived_frame(source.archive)),
         changes_in_short(sets),
     )
     parts += [table for table in tables if table.rows]
