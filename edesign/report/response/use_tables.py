@@ -196,6 +196,7 @@ def use_tables(sets: Iterable[HistorySet], hazard: Hazard | None, frame: Project
     Args:
         sets: those of archives that do not know uses are left out.
         hazard: of the file, whose code says what counts of several motions.
+        frame: its project, whose `design` names members that are to yield; None: it is a building.
     """
     elastic = {} if frame is None or frame.design is None else frame.design.elastic_use
     for uses in _uses(list(sets), hazard, frame):

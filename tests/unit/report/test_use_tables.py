@@ -7,8 +7,12 @@ import pytest
 
 from edesign.archive.dataset import Group
 from edesign.assess.member_uses import loaded_members, support_forces
+from edesign.assess.quantities import located_quantity
 from edesign.assess.sets import HistorySet, history_sets
 from edesign.codes.registry import find_code
+from edesign.frame.sections.building_sections import BuildingSections
+from edesign.project.criteria.criteria import QuantityCriterion
+from edesign.project.loader import parse_project
 from edesign.report.response.support_tables import support_tables
 from edesign.report.response.use_tables import use_in_short, use_tables
 from edesign.study.results.recording import coordinate
@@ -123,3 +127,52 @@ def test_archives_without_concurrent_forces_have_their_uses() -> None:
                 del group.variables[name]
     assert np.isnan(loaded_members(found[0], EC8)[0].N)
     assert len(list(use_tables(found, None))) == 3
+
+
+FRAME = """\
+edesign: 1
+title: Three members
+frame:
+  bays: [6 m]
+  storeys: [3 m]
+  columns: [{lines: all, storeys: all, section: HEB300, material: S275}]
+  beams: [{floors: all, section: IPE300, material: S275}]
+materials: {S275: {law: bilinear, E: 210 GPa, fy: 275 MPa, hardening: 0.01}}
+design:
+  dissipative: {beams: [{floors: 1}]}
+  elastic_use:
+    C_A_1: {use: 0.8, check: EQ_6_62, combination: G + 1.6 E_y + 0.5 E_x, across: {frames: [YA], N: 500 kN}}
+    B_1_1: {use: 0.7, check: M_Y, combination: G + E_x}
+analyses: [{name: gravity, kind: gravity}]
+"""
+
+
+def test_members_meant_to_yield_and_uses_of_the_elastic_design() -> None:
+    """A beam that is to yield is in no list of members beyond 1; a column of a bracing across goes beyond 1 with it."""
+    frame = parse_project(FRAME, "frame.yaml", BuildingSections(), files=False)
+    assert frame.dissipative("B_1_1") and frame.dissipative("B_1_1_2") and not frame.dissipative("C_A_1")
+    found = sets(7)[:1]
+    for group in found[0].histories.values():
+        group.variables["member_use_max"].values[2] = 1.3
+        group.add("across_use_max", ("member",), np.array([1.2, np.nan, np.nan]), "1", "")
+    tables = list(use_tables(found, None, frame))
+    assert [table.name for table in tables] == ["member_use", "elastic_use"]
+    rows = [row[:7] for row in tables[1].texts]
+    assert rows == [
+        ["column", "1", "C_A_1", "0.70", "0.80", "YA", "500"],
+        ["beam", "1", "B_1_1", "1.30", "0.70", "", "-"],
+    ]
+    assert tables[1].column("with it")[0] == pytest.approx(1.2)
+    notes = " ".join(use_in_short(found, None, frame).notes)
+    assert "1 of 1 beams that are meant to yield do, B_1_1 1.30" in notes
+    assert "with the seismic action across columns go beyond 1: C_A_1 1.20 (without 0.70)" in notes
+    assert [table.name for table in use_tables(found, None)] == ["member_use", "members_beyond_1"]
+
+
+def test_criteria_choose_kinds_of_members() -> None:
+    frame = parse_project(FRAME, "frame.yaml", BuildingSections(), files=False)
+    group = history(1, "bare", [0.7, 0.9, 1.3])
+    for of, use in (("all", 1.3), ("columns", 0.9), ("beams", 1.3), ("not_dissipative", 0.9)):
+        asked = QuantityCriterion.model_validate({"name": "use", "quantity": "member_use", "of": of, "most": 1})
+        located = located_quantity(group, asked, frame)
+        assert located is not None and located.value == pytest.approx(use)

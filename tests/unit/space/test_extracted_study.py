@@ -14,6 +14,7 @@ from edesign.errors import InputError
 from edesign.frame.project_file import load_study
 from edesign.ground_motion.sources import find_suite
 from edesign.ground_motion.suite import load_suite
+from edesign.project.criteria.criteria import QuantityCriterion
 from edesign.project.dampers.designs import StrainEnergyDesign
 from edesign.project.study.study import Study
 from edesign.study.plan.study_plan import verifying_histories
@@ -37,8 +38,14 @@ def test_the_study_is_that_of_the_building(tmp_path: Path) -> None:
     """Limit of ductile partitions 0.75 %, nu 0.5: 1.5 % at the level of the design; a second level is judged too."""
     two = SMALL.replace("{DBE: {probability: 10 %}}", "{DBE: {probability: 10 %}, MCE: {return_period: 2475 year}}")
     study = study_of(tmp_path, two.replace("  ductility_class", "  level: DBE\n  ductility_class"))
-    drift, residual = study.criteria
+    drift, residual, *uses = study.criteria
     assert (drift.most, residual.most) == (pytest.approx(0.015), pytest.approx(0.005))
+    assert [(of.quantity, of.of, of.most) for of in uses if isinstance(of, QuantityCriterion)] == [
+        ("section_use", "not_dissipative", 1.0),
+        ("member_use", "not_dissipative", 1.0),
+    ]
+    columns = [name for name in study.base.grid.members if not study.base.dissipative(name)]
+    assert columns and {name[0] for name in columns} == {"C"}  # all beams of the moment frame are to yield
     assert study.objectives == ("h", "l")
     design = study.designs["dampers"]
     assert isinstance(design, StrainEnergyDesign) and design.verify is not None
@@ -72,7 +79,7 @@ def test_the_study_of_a_building_by_ntc_2018(tmp_path: Path) -> None:
     so that 0.75 % under SLD is 0.75 % x 2.8940 = 2.1705 % under SLV (1e-3: the figures above have five digits).
     """
     study = study_of(tmp_path, ntc())
-    drift, residual = study.criteria
+    drift, residual, *_ = study.criteria
     assert (drift.levels, drift.most, drift.statistic) == (("SLD",), pytest.approx(0.0075), "code")
     assert residual.levels == ("SLV",) and study.objectives == ()
     design = study.designs["dampers"]
