@@ -109,6 +109,8 @@ def missing_history(group: Group, asked: QuantityCriterion) -> str:
     needed = asked.traits.over_time
     if needed:
         return "" if needed in group.variables else needed
+    if asked.quantity == "damper_velocity":
+        return "" if {"damper_velocity_max", "damper_deformation"} & {*group.variables} else "damper_velocity"
     kept = asked.traits.kept is not None or asked.quantity in _FOUND_ON_THE_WAY
     return asked.quantity if kept and f"{asked.quantity}_max" not in group.variables else ""
 
@@ -220,17 +222,12 @@ def floor_spectral_acceleration(time: np.ndarray, floors: np.ndarray, asked: Qua
     return np.array([response_spectra(one, step, [period], [damping]).sa[0, 0] for one in floors.T])
 
 
-def damper_velocity(time: np.ndarray, deformations: np.ndarray, asked: QuantityCriterion) -> np.ndarray:
-    """Return the largest velocity of each damper as a criterion asks for it; see `largest_velocity`.
-
-    Args:
-        time: (n,) s.
-        deformations: (n, dampers) m.
-
-    Returns:
-        One value a damper, m/s.
-    """
-    return largest_velocity(time, deformations)
+def damper_velocity(group: Group, asked: QuantityCriterion, project: AnalysisFile) -> np.ndarray | None:
+    """Return the largest velocity of each damper, (n,) m/s; in archives of before 0.3 by what was kept over time."""
+    if (found := peak(group, "damper_velocity")) is not None or "damper_deformation" not in group.variables:
+        return found
+    time, deformation = group.coords["time"].values, group.variables["damper_deformation"].values
+    return largest_velocity(np.asarray(time, dtype=float), np.asarray(deformation, dtype=float))
 
 
 def largest_velocity(time: np.ndarray, deformations: np.ndarray) -> np.ndarray:
@@ -309,7 +306,7 @@ SOURCES = {
     "residual_line_drift": Source(_residual),
     "residual_base_displacement": Source(_residual),
     "floor_spectral_acceleration": Source(over_time=floor_spectral_acceleration),
-    "damper_velocity": Source(over_time=damper_velocity),
+    "damper_velocity": Source(damper_velocity, dims=("damper",)),
     "damper_strain": Source(needs=_LAYERS),
     "core_strain": Source(needs=_CORES),
     "core_ductility": Source(needs=_CORES),

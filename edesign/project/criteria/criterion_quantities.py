@@ -178,8 +178,6 @@ QUANTITIES: dict[str, ArchivedQuantity] = {
         VELOCITY,
         "damper",
         "of its deformation, without its brace",
-        kept="dampers",
-        over_time="damper_deformation",
         in_space=FRAMED,
     ),
     "damper_strain": ArchivedQuantity(RATIO, "damper", "shear strain of its layers", in_space=FRAMED),

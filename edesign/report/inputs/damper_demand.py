@@ -62,8 +62,8 @@ def demand(found: HistorySet, devices: Sequence[Device], quantity: str) -> Deman
 def velocity(found: HistorySet, whole: Callable[[str], Group], devices: Sequence[Device]) -> Demand | None:
     """Return the demand on the velocity of a damper without its brace, m/s.
 
-    Of a dashpot it follows from the force, (F / c)^(1 / alpha), and of other laws from the deformation over time, where
-    that was kept.
+    Of a dashpot it follows from the force, (F / c)^(1 / alpha). Of other laws it is that of the history at every step,
+    and in archives of before 0.3 follows from the deformation over time, where that was kept.
 
     Args:
         found: with the extremes of their dampers.
@@ -72,7 +72,9 @@ def velocity(found: HistorySet, whole: Callable[[str], Group], devices: Sequence
     """
     values = {}
     for name, group in found.completed.items():
-        most = _of_dashpots(group, devices)
+        most, largest = _of_dashpots(group, devices), peak(group, "damper_velocity")
+        if most is None and largest is not None:
+            most = float(largest[_at(group, devices)].max())
         if most is None:
             kept = whole(name)
             if "damper_deformation" in kept.variables and "time" in kept.coords:

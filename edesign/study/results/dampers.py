@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
+import numpy as np
+
+from edesign.archive.dataset import Group
 from edesign.frame.frame_model import FrameModel
 from edesign.study.results.recording import Quantity, Terms, directed, recorded
 
@@ -56,6 +61,39 @@ def storey_damper_forces(frame: FrameModel, history: bool) -> Quantity:
                 cells[device.storey, axis.degree] += ((across, "damper_force", device.number, 0),)
     label = "horizontal force of the storey's dampers, positive as the storey's shear"
     return Quantity("storey_damper_force", *directed(frame, "storey"), tuple(cells.values()), "N", label, history)
+
+
+class DamperSpeeds:
+    """The largest velocity of each damper without its brace, by its deformation at every step of a history.
+
+    Source: the derivative of the polynomial through five points in equal steps errs by h^4 u'''''/30: at 5 Hz and
+        0.01 s by 3e-4. Where steps differ it is that of the three in the middle.
+    """
+
+    needs: tuple[str, ...] = ("damper_deformation",)
+    own: tuple[Quantity, ...] = ()
+
+    def __init__(self, frame: FrameModel) -> None:
+        count = len(frame.devices)
+        self._times, self._last, self._largest = np.zeros(0), np.zeros((0, count)), np.zeros(count)
+
+    def see(self, abscissas: np.ndarray, values: Mapping[str, np.ndarray]) -> None:
+        """See further steps; see `Observer`."""
+        t, u = np.append(self._times, abscissas), np.concatenate([self._last, values[self.needs[0]]])
+        self._times, self._last = t[-4:].copy(), u[-4:].copy()
+        if t.size < 5:
+            return
+        steps = np.stack([t[i + 1 : t.size - 3 + i] - t[i : t.size - 4 + i] for i in range(4)])
+        equal = np.ptp(steps, axis=0) <= 1e-6 * steps.max(axis=0)
+        five = (u[:-4] - 8.0 * u[1:-3] + 8.0 * u[3:-1] - u[4:]) / (12.0 * steps[1, :, None])
+        three = (u[3:-1] - u[1:-3]) / (steps[1] + steps[2])[:, None]
+        np.maximum(self._largest, np.abs(np.where(equal[:, None], five, three)).max(axis=0), out=self._largest)
+
+    def store(self, group: Group, abscissa: str, unit: str) -> None:
+        """Add the velocities to the group of a history; see `Observer`."""
+        if unit == "s":
+            label = "largest velocity of the damper without its brace"
+            group.add("damper_velocity_max", ("damper",), self._largest, "m/s", label)
 
 
 def tuned_mass_displacements(frame: FrameModel, history: bool) -> list[Quantity]:

@@ -19,6 +19,7 @@ from edesign.space.checks.member_checks import LARGEST_CLASS
 from edesign.study.results.checked_members import CheckedMember, checked_members, moments_inside
 from edesign.study.results.collectors import Collectors
 from edesign.study.results.coordinates import bending_members
+from edesign.study.results.dampers import DamperSpeeds
 from edesign.study.results.largest_use import Buckling, Forces, Largest, Sections
 from edesign.study.results.recording import SINGLE, Quantity, by_axis, coordinate
 from edesign.study.results.supports import SupportExtremes
@@ -355,12 +356,13 @@ def gravity_watch(file: AnalysisFile, frame: FrameModel) -> StepWatch:
 
 
 def run_watch(file: AnalysisFile, frame: FrameModel) -> StepWatch:
-    """Return what watches a run under gravity: the use of columns, beams and braces, and the reactions of supports.
+    """Return what watches a run under gravity: uses of members, velocities of dampers, and reactions of supports.
 
     Raises:
         InputError: as `checked_members`.
     """
-    return StepWatch([*_uses(file, frame), SupportExtremes(frame)])
+    dampers = [DamperSpeeds(frame)] if frame.devices else []
+    return StepWatch([*_uses(file, frame), *dampers, SupportExtremes(frame)])
 
 
 def _uses(file: AnalysisFile, frame: FrameModel) -> list[Observer]:

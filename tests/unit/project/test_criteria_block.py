@@ -102,11 +102,6 @@ def test_the_three_kinds_of_criteria() -> None:
         ("{quantity: column_axial_force, side: pull, most: 1 kN}", "criteria[0].side", "`tension` E-VALUE-03"),
         ("{quantity: support_moment, lines: D, most: 1 kN*m}", "criteria[0].lines", "E-NAME-01"),
         ("{quantity: damper_force, dampers: V_2_1, most: 1 kN}", "criteria[0].dampers", "`V_1_1` E-NAME-01"),
-        (
-            "{quantity: damper_velocity, most: 1 m/s}",
-            "criteria[0].quantity",
-            "`dampers` `outputs: histories` E-CRIT-05",
-        ),
         ("{quantity: energy_share, most: 20 %}", "criteria[0].term", "E-KEY-02"),
         ("{quantity: energy_share, term: heat, most: 20 %}", "criteria[0].term", "`dampers` E-VALUE-03"),
         ("{quantity: floor_spectral_acceleration, frequency: 5 Hz, most: 1 g}", "criteria[0].damping", "E-KEY-02"),
