@@ -13,6 +13,7 @@ from edesign.report.response.brace_figures import brace_figures
 from edesign.report.response.damper_loops import damper_figures
 from edesign.report.response.energy_figures import energy_figures
 from edesign.report.response.frame_figures import frame_figures
+from edesign.report.response.interaction_figures import interaction_figures
 from edesign.report.response.mean_profiles import mean_profile_figures
 from edesign.report.response.mode_figures import mode_figures
 from edesign.report.response.moment_rotation_figures import moment_rotation_figures
@@ -32,6 +33,7 @@ FIGURES: tuple[Figures, ...] = (
     profile_figures,
     frame_figures,
     axial_figures,
+    interaction_figures,
     response_figures,
     orbit_figures,
     energy_figures,

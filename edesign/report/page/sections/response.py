@@ -10,8 +10,9 @@ from edesign.report.assessment.change_tables import changes_table
 from edesign.report.assessment.measure_tables import record_measures_table, statistics_tables
 from edesign.report.drawing.captions import at_level
 from edesign.report.html.section import Folded, Part, Section
-from edesign.report.page.source import Source, by_level, level_heading
+from edesign.report.page.source import Source, by_level, headed, level_heading
 from edesign.report.response.analysis_tables import measures_table
+from edesign.report.response.interaction_figures import interaction_figures
 from edesign.report.response.mean_profiles import mean_profile_figures
 from edesign.report.response.orbits import orbit_figures
 from edesign.report.response.profile_figures import profile_figures
@@ -40,6 +41,7 @@ def response(source: Source) -> Section:
         parts += [table] if table.rows else []
     parts += torsion_tables(sets)
     parts += _members(sets, archived_hazard(source.archive), archived_frame(source.archive))
+    parts += headed(source.pictures(interaction_figures), source.levels)
     parts += _profiles(source)
     orbits = source.pictures(orbit_figures)
     parts += [Folded("Orbits in plan", orbits)] if len(orbits) > 1 else orbits
