@@ -201,6 +201,48 @@ def _tensions(found: HistorySet, names: Sequence[str], groups: Sequence[Group], 
     return dict(zip(map(str, groups[0].coords["column"].values), largest.tolist(), strict=True))
 
 
+@dataclass(frozen=True)
+class BeamForces:
+    """Axial forces at the ends of a beam under the histories of a set, by the rule of the code.
+
+    Attributes:
+        storey: below its floor.
+        start, end: largest tension and compression at either end, N.
+    """
+
+    beam: str
+    storey: int
+    start: tuple[float, float]
+    end: tuple[float, float]
+
+    @property
+    def largest(self) -> float:
+        """The largest of them, N."""
+        return max(*self.start, *self.end)
+
+
+def beam_forces(found: HistorySet, rules: SetRules) -> list[BeamForces]:
+    """Return the axial forces of the beams that collect those of dampers and braces under the histories of a set."""
+    names, groups = list(found.completed), list(found.completed.values())
+    if not groups or "collector" not in groups[0].coords:
+        return []
+    members = [str(name) for name in groups[0].coords["member"].values]
+    beams = [str(name) for name in groups[0].coords["collector"].values]
+    chosen, mean = [members.index(beam) for beam in beams], rule_of(found, rules) == "mean"
+    inside = np.array([-1.0, 1.0])
+    most, least = (
+        np.array([np.asarray(group.variables[f"member_axial_force_{which}"].values)[chosen] for group in groups])
+        for which in ("max", "min")
+    )
+    both = np.stack([most * inside, least * inside])
+    sides = np.stack([np.maximum(both.max(axis=0), 0.0), np.maximum(-both.min(axis=0), 0.0)], axis=-1)
+    by_rule = _by_rule(found, names, sides, mean)
+    return [
+        BeamForces(beam, storey_of(beam), tuple(of[0].tolist()), tuple(of[1].tolist()))
+        for beam, of in zip(beams, by_rule, strict=True)
+    ]
+
+
 def support_forces(found: HistorySet, rules: SetRules) -> list[SupportForces]:
     """Return the extremes of all supports under the completed histories of a set, each with what acts with it.
 

@@ -6,7 +6,16 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 
-from edesign.assess.member_uses import LoadedMember, in_words, loaded_members, rule_of, support_forces, without_dampers
+from edesign.assess.member_uses import (
+    BeamForces,
+    LoadedMember,
+    beam_forces,
+    in_words,
+    loaded_members,
+    rule_of,
+    support_forces,
+    without_dampers,
+)
 from edesign.assess.sets import HistorySet
 from edesign.codes.motion_sets import SetRules
 from edesign.ground_motion.hazard import rules_in_force
@@ -91,6 +100,23 @@ class _Beside:
         return None if self.elastic.across is None else self.elastic.across.N
 
 
+BEAMS = TableSpec[BeamForces](
+    "beam_axial_forces",
+    "{whose}: axial forces at the ends of beams that collect those of dampers and braces",
+    (
+        count("storey", "storey"),
+        text("beam", "beam"),
+        col("T start", KN, lambda one: one.start[0], 3, negligible=NOTHING),
+        col("C start", KN, lambda one: one.start[1], 3, negligible=NOTHING),
+        col("T end", KN, lambda one: one.end[0], 3, negligible=NOTHING),
+        col("C end", KN, lambda one: one.end[1], 3, negligible=NOTHING),
+    ),
+    keys=2,
+    each="Axial forces at the ends of beams that collect those of dampers and braces",
+    most=MOST,
+    cut="The first {shown} of {all}.",
+    notes=("T, C: largest tension and compression, for the connections of the beams, without overstrength.",),
+)
 ELASTIC = TableSpec[_Beside](
     "elastic_use",
     "{whose}: use beside that in the elastic design of the building",
@@ -165,6 +191,10 @@ class _Uses:
         return max((one.tension for one in self.members if one.kind == "column"), default=None)
 
 
+def _by_size(one: BeamForces) -> float:
+    return -one.largest
+
+
 def _order(one: _Use) -> float:
     return -one.member.use
 
@@ -215,6 +245,8 @@ def use_tables(sets: Iterable[HistorySet], hazard: Hazard | None, frame: Project
         if beside := _beside(uses, [one.member for _, one in rows], elastic):
             notes = wrapped(ACROSS) if any(one.N is not None for one in beside) else []
             yield ELASTIC.of(beside, whose=label(uses.found), notes=notes)
+        if beams := beam_forces(uses.found, uses.rules):
+            yield BEAMS.of(sorted(beams, key=_by_size), whose=label(uses.found))
         if beyond := [one for kind in KINDS for one in uses.beyond(kind)]:
             yield BEYOND.of(beyond, whose=label(uses.found), without=without)
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from edesign.archive.dataset import Group
-from edesign.assess.member_uses import loaded_members, support_forces
+from edesign.assess.member_uses import beam_forces, loaded_members, support_forces
 from edesign.assess.quantities import located_quantity
 from edesign.assess.sets import HistorySet, history_sets
 from edesign.codes.registry import find_code
@@ -176,3 +176,20 @@ def test_criteria_choose_kinds_of_members() -> None:
         asked = QuantityCriterion.model_validate({"name": "use", "quantity": "member_use", "of": of, "most": 1})
         located = located_quantity(group, asked, frame)
         assert located is not None and located.value == pytest.approx(use)
+
+
+def test_axial_forces_of_beams_for_their_connections() -> None:
+    """Means of seven: forces on the ends are +-10 i kN and +-20 i kN, i = 1 to 7, of which 4 is the mean."""
+    found = sets(7)[1]
+    for i, group in enumerate(found.histories.values(), 1):
+        coordinate(group, "collector", ["B_1_1"], "", "beam")
+        for which, way in (("max", 1.0), ("min", -1.0)):
+            of = np.zeros((3, 2))
+            of[2] = way * 1e4 * i * np.array([1.0, 2.0])
+            group.add(f"member_axial_force_{which}", ("member", "end"), of, "N", "")
+    (table,) = [one for one in use_tables([found], None) if one.name == "beam_axial_forces"]
+    assert [list(row) for row in table.texts] == [["1", "B_1_1", "40.0", "40.0", "80.0", "80.0"]]
+    group.variables["member_axial_force_min"].values[2] = 0.0  # the end of the last is never compressed
+    group.variables["member_axial_force_max"].values[2] = [0.0, 7e5]
+    (beam,) = beam_forces(found, EC8)
+    assert beam.start == pytest.approx((30e3, 30e3)) and beam.end == pytest.approx((160e3, 60e3))
