@@ -107,7 +107,6 @@ def code_statistic(name: str, count: int, rules: SetRules, from_below: bool = Fa
 
     Args:
         name: "code", "ec8", "ntc2018", "asce7", or a statistic.
-        count: of motions.
         rules: of the code in force, which "code" means.
         from_below: the value must not be less than its limit, so that the smallest one is the most unfavourable.
     """
