@@ -71,7 +71,7 @@ def statistics(values: Mapping[str, float | None]) -> Statistics:
     ordered = sorted(there.values())
     return Statistics(
         count=len(ordered),
-        mean=math.fsum(ordered) / len(ordered),
+        mean=math.nan if -ordered[0] == ordered[-1] == math.inf else math.fsum(ordered) / len(ordered),
         maximum=ordered[-1],
         minimum=ordered[0],
         median=median(ordered),

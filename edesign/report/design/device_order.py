@@ -52,12 +52,12 @@ def _strength(name: str) -> Callable[[_Device], float]:
     return lambda device: _size(name)(device) * device.factor
 
 
-def _asked(name: str) -> Callable[[_Device], float | None]:
-    return lambda device: device.asked.get(name)
+def _ordered(header: str, unit: Unit, name: str) -> Column[_Device]:
+    return col(header, unit, lambda device: device.asked.get(name), optional=True)
 
 
-def _factored(name: str) -> Callable[[_Device], float | None]:
-    return lambda device: device.factored.get(name)
+def _factored(header: str, unit: Unit, name: str) -> Column[_Device]:
+    return col(f"{header} factored", unit, lambda device: device.factored.get(name), optional=True)
 
 
 def _largest(header: str, unit: Unit, name: str) -> tuple[Column[_Device], Column[_Device]]:
@@ -68,71 +68,98 @@ def _largest(header: str, unit: Unit, name: str) -> tuple[Column[_Device], Colum
 
 
 LARGEST = "Largest values of one damper"
-_Wanted = tuple[tuple[str, Unit, str], ...]
-"""Header, unit and name of the values that a damper of a kind has to have."""
-
-
-def _specs(
-    kind: str, sizes: Sequence[Column[_Device]], wanted: _Wanted, raised: Sequence[str]
-) -> tuple[TableSpec[_Device], TableSpec[_Device]]:
-    """The tables of what is ordered, and of the values that it comes from."""
-    named: tuple[Column[_Device], ...] = (
-        count("storey", lambda device: int(device.storey.name)),
-        count("number", _size("count")),
-    )
-    to_order = [col(header, unit, _asked(name), optional=True) for header, unit, name in wanted]
-    both = [column for one in wanted for column in _largest(*one)]
-    factored = [
-        col(f"{header} factored", unit, _factored(name), optional=True)
-        for header, unit, name in wanted
-        if name in raised
-    ]
-    return (
-        TableSpec(
-            f"{kind}_to_order",
-            "Devices to order, design {design}",
-            (*named, *sizes, *to_order, text("force by", lambda device: device.whose or None, optional=True)),
-            named_as="devices_to_order",
-        ),
-        TableSpec(
-            f"largest_values_of_{kind}",
-            f"{LARGEST}, design {{design}}",
-            (text("", "whose"), *named, *sizes, *both, *factored),
-            named_as="largest_values_of_a_damper",
-        ),
-    )
-
-
+ORDER, LARGEST_TITLE = "Devices to order, design {design}", f"{LARGEST}, design {{design}}"
+_ORDER_FILE, _LARGEST_FILE = "devices_to_order", "largest_values_of_a_damper"
+_NAMED: tuple[Column[_Device], ...] = (
+    count("storey", lambda device: int(device.storey.name)),
+    count("number", _size("count")),
+)
+_WHOSE: Column[_Device] = text("", "whose")
+_FORCE_BY: Column[_Device] = text("force by", lambda device: device.whose or None, optional=True)
+_OF_VISCOUS: tuple[Column[_Device], ...] = (
+    *_NAMED,
+    col("c", "coefficient", _size("coefficient")),
+    col("alpha", ONE, lambda device: float(device.storey.group.attributes["alpha"]), form="g", as_shown=True),
+)
+_OF_HYSTERETIC: tuple[Column[_Device], ...] = (
+    *_NAMED,
+    col("F_y", KN, _size("yield_force")),
+    col("k", KN_MM, _size("stiffness")),
+)
+_OF_BRACES: tuple[Column[_Device], ...] = (
+    *_NAMED,
+    col("A_sc", MM2, _size("core_area")),
+    col("T_adj", KN, _strength("adjusted_tension")),
+    col("C_adj", KN, _strength("adjusted_compression")),
+)
+_FORCE, _STROKE = ("force", KN, "force"), ("stroke", MM, "stroke")
+_VELOCITY, _PLASTIC = ("velocity", M_S, "velocity"), ("plastic", MM, "cumulated_plastic")
+_STRAIN, _CUMULATED = ("strain", PERCENT, "core_strain"), ("cum.", Unit("-"), "cumulative_ductility")
+VISCOUS_DEVICES = TableSpec[_Device](
+    "viscous_devices_to_order",
+    ORDER,
+    (*_OF_VISCOUS, _ordered(*_FORCE), _ordered(*_STROKE), _ordered(*_VELOCITY), _FORCE_BY),
+    named_as=_ORDER_FILE,
+)
+VISCOUS_LARGEST = TableSpec[_Device](
+    "largest_values_of_viscous_devices",
+    LARGEST_TITLE,
+    (
+        _WHOSE,
+        *_OF_VISCOUS,
+        *_largest(*_FORCE),
+        *_largest(*_STROKE),
+        *_largest(*_VELOCITY),
+        _factored(*_FORCE),
+        _factored(*_STROKE),
+        _factored(*_VELOCITY),
+    ),
+    named_as=_LARGEST_FILE,
+)
+HYSTERETIC_DEVICES = TableSpec[_Device](
+    "hysteretic_devices_to_order",
+    ORDER,
+    (*_OF_HYSTERETIC, _ordered(*_FORCE), _ordered(*_STROKE), _ordered(*_PLASTIC), _FORCE_BY),
+    named_as=_ORDER_FILE,
+)
+HYSTERETIC_LARGEST = TableSpec[_Device](
+    "largest_values_of_hysteretic_devices",
+    LARGEST_TITLE,
+    (
+        _WHOSE,
+        *_OF_HYSTERETIC,
+        *_largest(*_FORCE),
+        *_largest(*_STROKE),
+        *_largest(*_PLASTIC),
+        _factored(*_FORCE),
+        _factored(*_STROKE),
+    ),
+    named_as=_LARGEST_FILE,
+)
+RESTRAINED_DEVICES = TableSpec[_Device](
+    "restrained_braces_to_order",
+    ORDER,
+    (*_OF_BRACES, _ordered(*_FORCE), _ordered(*_STRAIN), _ordered(*_CUMULATED), _FORCE_BY),
+    named_as=_ORDER_FILE,
+)
+RESTRAINED_LARGEST = TableSpec[_Device](
+    "largest_values_of_restrained_braces",
+    LARGEST_TITLE,
+    (
+        _WHOSE,
+        *_OF_BRACES,
+        *_largest(*_FORCE),
+        *_largest(*_STRAIN),
+        *_largest(*_CUMULATED),
+        _factored(*_FORCE),
+        _factored(*_STRAIN),
+    ),
+    named_as=_LARGEST_FILE,
+)
 _BY_KIND = {
-    "viscous": _specs(
-        "viscous_devices",
-        (
-            col("c", "coefficient", _size("coefficient")),
-            col("alpha", ONE, lambda device: float(device.storey.group.attributes["alpha"]), form="g", as_shown=True),
-        ),
-        (("force", KN, "force"), ("stroke", MM, "stroke"), ("velocity", M_S, "velocity")),
-        ("force", "stroke", "velocity"),
-    ),
-    "hysteretic": _specs(
-        "hysteretic_devices",
-        (col("F_y", KN, _size("yield_force")), col("k", KN_MM, _size("stiffness"))),
-        (("force", KN, "force"), ("stroke", MM, "stroke"), ("plastic", MM, "cumulated_plastic")),
-        ("force", "stroke"),
-    ),
-    "buckling_restrained": _specs(
-        "restrained_braces",
-        (
-            col("A_sc", MM2, _size("core_area")),
-            col("T_adj", KN, _strength("adjusted_tension")),
-            col("C_adj", KN, _strength("adjusted_compression")),
-        ),
-        (
-            ("force", KN, "force"),
-            ("strain", PERCENT, "core_strain"),
-            ("cum.", Unit("-"), "cumulative_ductility"),
-        ),
-        ("force", "core_strain"),
-    ),
+    "viscous": (VISCOUS_DEVICES, VISCOUS_LARGEST),
+    "hysteretic": (HYSTERETIC_DEVICES, HYSTERETIC_LARGEST),
+    "buckling_restrained": (RESTRAINED_DEVICES, RESTRAINED_LARGEST),
 }
 ESTIMATE = "estimate"
 _VALUES = ("force", "stroke", "velocity", "cumulated_plastic", "core_strain", "cumulative_ductility")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -118,7 +118,9 @@ CONNECTIONS = TableSpec[_Demand](
 )
 
 
-GOVERNING = replace(CONNECTIONS, name="governing_connection_forces")
+GOVERNING = TableSpec[_Demand](
+    "governing_connection_forces", CONNECTIONS.title, CONNECTIONS.columns, keys=CONNECTIONS.keys, formulas=True
+)
 
 
 def connections_of(frame: FrameModel, device: Device) -> tuple[Connection, ...]:
