@@ -8,6 +8,7 @@ from edesign.report.capacity.target_hinges import hinge_figures
 from edesign.report.design.figures import design_figures
 from edesign.report.ground_motion.hazard_figures import hazard_figures
 from edesign.report.ground_motion.record_figures import record_figures
+from edesign.report.model.force_envelopes import force_envelopes
 from edesign.report.response.axial_figures import axial_figures
 from edesign.report.response.brace_figures import brace_figures
 from edesign.report.response.damper_loops import damper_figures
@@ -34,6 +35,7 @@ FIGURES: tuple[Figures, ...] = (
     frame_figures,
     axial_figures,
     interaction_figures,
+    force_envelopes,
     response_figures,
     orbit_figures,
     energy_figures,

@@ -226,6 +226,7 @@ def _sections(sheet: Sheet, members: Sequence[Member], ends: dict[str, Line], we
         order = sorted(ys, key=lambda y: abs(y - 0.5 * (ys[0] + ys[-1])))
         spots = [Spot(x - 0.04, y, "center", "bottom", 90.0) for y in order]
         spots += [Spot(x + 0.04, y, "center", "top", 90.0) for y in order]
+        spots += [Spot(x + 0.04, y, "left") for y in order] + [Spot(x - 0.04, y, "right") for y in order]
         if not sheet.place(spots, in_two_lines(text)):
             yield f"column {next(one.name for one in columns if middle(one) == (x, ys[0]))}: {text}"
     beams = sorted((one for one in members if one.kind == "beam"), key=lambda one: middle(one)[::-1])

@@ -180,10 +180,14 @@ def _changing(letters: Mapping[tuple[str, tuple[str, ...]], str], storeys: Seque
 
 def _along(start: np.ndarray, end: np.ndarray, above: float, below: float) -> Iterable[Spot]:
     """Places of a text on the two sides of a line: above and below, or turned at the left and the right, inches."""
-    x, y = 0.5 * (start + end)
-    if abs(end[0] - start[0]) > abs(end[1] - start[1]):
-        return Spot(x, y + above, "center", "bottom"), Spot(x, y + below, "center", "top")
-    return Spot(x - above, y, "center", "bottom", 90.0), Spot(x - below, y, "center", "top", 90.0)
+    level = abs(end[0] - start[0]) > abs(end[1] - start[1])
+    found = []
+    for x, y in (start + share * (end - start) for share in (0.5, 0.35, 0.65)):
+        if level:
+            found += [Spot(x, y + above, "center", "bottom"), Spot(x, y + below, "center", "top")]
+        else:
+            found += [Spot(x - above, y, "center", "bottom", 90.0), Spot(x - below, y, "center", "top", 90.0)]
+    return found
 
 
 def _around(at: np.ndarray, gap: float) -> Iterable[Spot]:

@@ -111,6 +111,7 @@ class _Sections:
                 at = [place.at(x, y) for y in heights]
                 spots = [Spot(a - 0.04, b, "center", "bottom", 90.0) for a, b in at]
                 spots += [Spot(a + 0.04, b, "center", "top", 90.0) for a, b in at]
+                spots += [Spot(a + 0.04, b, "left") for a, b in at] + [Spot(a - 0.04, b, "right") for a, b in at]
                 if not self._sheet.place(spots, in_two_lines(text)):
                     yield f"column {line}, {_numbers('storey', storeys)}: {text}"
 

@@ -21,6 +21,7 @@ from edesign.study.results.collectors import Collectors
 from edesign.study.results.coordinates import bending_members
 from edesign.study.results.dampers import DamperSpeeds
 from edesign.study.results.largest_use import Buckling, Forces, Largest, Sections
+from edesign.study.results.moment_envelope import MomentEnvelope
 from edesign.study.results.recording import SINGLE, Quantity, by_axis, coordinate
 from edesign.study.results.supports import SupportExtremes
 from edesign.study.results.watch import Observer, StepWatch
@@ -362,7 +363,8 @@ def run_watch(file: AnalysisFile, frame: FrameModel) -> StepWatch:
         InputError: as `checked_members`.
     """
     dampers = [DamperSpeeds(frame)] if frame.devices else []
-    return StepWatch([*_uses(file, frame), *dampers, SupportExtremes(frame)])
+    inside = [MomentEnvelope(file, frame)] if frame.model.dimension == 2 and bending_members(frame) else []
+    return StepWatch([*_uses(file, frame), *inside, *dampers, SupportExtremes(frame)])
 
 
 def _uses(file: AnalysisFile, frame: FrameModel) -> list[Observer]:

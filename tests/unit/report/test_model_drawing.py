@@ -110,7 +110,7 @@ def test_loads_inside_members_are_those_of_the_file() -> None:
     """3 and 2 kN/m2 on a strip of 2.5 m; forces at thirds; a wall that grows; earth pressure on a column."""
     path = ROOT / "tests/cases/loads_inside_members/project.yaml"
     loads = drawings(path)["model_loads"]
-    for words in ("G 7.5, Q 5", "G 60,", "Q 20 each", "G 40", "G 6 to G 12", "G 4 to G 8", "G 5", "G 30"):
+    for words in ("G 7.5, Q 5", "G 60,\nQ 20 each", "G 40", "G 6 to G 12", "G 4 to G 8", "G 5", "G 30"):
         assert words in loads, words
     found = loads_of(load_project(path))
     assert found.uniform[1, 1] == (7500.0, 5000.0) and found.columns["A", 1] == (5000.0, 0.0)

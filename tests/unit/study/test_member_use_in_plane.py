@@ -184,6 +184,25 @@ def test_a_brace_by_hand() -> None:
     np.testing.assert_array_equal(group.variables["brace_use_at"].values, [1.0, 0.0])
 
 
+def test_extremes_of_moments_inside_members() -> None:
+    """By the moments that the history keeps at both ends: a line between them, plus that of a simple beam.
+
+    In the middle that is w L^2 / 8 + P a / 2 with w = 20 kN/m, L = 6 m, P = 30 kN, a = 2 m: 90 + 30 = 120 kNm.
+    Their extremes do not come together: half their sum, and 120 kNm, is more than the moment ever is.
+    """
+    file = project()
+    group = run_analysis(file, file.analyses[1])
+    recorded = [str(name) for name in group.coords["recorded_member"].values]
+    ends = np.asarray(group.variables["member_bending_moment"].values, dtype=float) * [-1.0, 1.0]
+    for name, load in (("B_1_1", 120e3), ("C_A_1", 0.0)):
+        most, least = (of(group, f"member_moment_inside_{which}", name) for which in ("max", "min"))
+        own = ends[:, recorded.index(name)]
+        middle = 0.5 * own.sum(axis=1) + load
+        assert np.allclose([most[3], least[3]], [middle.max(), middle.min()], rtol=1e-6)  # kept in single precision
+        assert np.allclose([*most[[0, 6]], *least[[0, 6]]], [*own.max(axis=0), *own.min(axis=0)], rtol=1e-6)
+        assert most[3] < 0.5 * own.max(axis=0).sum() + load
+
+
 @pytest.mark.parametrize("text", [PORTAL, BRACED])
 def test_every_step_of_a_history(text: str) -> None:
     """The clauses in every step, by forces that the history keeps, give the same largest use, time and forces."""

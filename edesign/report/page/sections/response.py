@@ -10,6 +10,7 @@ from edesign.report.assessment.change_tables import changes_table
 from edesign.report.assessment.measure_tables import record_measures_table, statistics_tables
 from edesign.report.drawing.captions import at_level
 from edesign.report.html.section import Folded, Part, Section
+from edesign.report.model.force_envelopes import force_envelopes
 from edesign.report.page.source import Source, by_level, headed, level_heading
 from edesign.report.response.analysis_tables import measures_table
 from edesign.report.response.interaction_figures import interaction_figures
@@ -42,6 +43,8 @@ def response(source: Source) -> Section:
     parts += torsion_tables(sets)
     parts += _members(sets, archived_hazard(source.archive), archived_frame(source.archive))
     parts += headed(source.pictures(interaction_figures), source.levels)
+    if forces := source.pictures(force_envelopes):
+        parts.append(Folded(f"Axial force, shear and moment along members ({len(forces)})", forces))
     parts += _profiles(source)
     orbits = source.pictures(orbit_figures)
     parts += [Folded("Orbits in plan", orbits)] if len(orbits) > 1 else orbits
