@@ -51,8 +51,11 @@ DRIVER = """<!DOCTYPE html><html><body><iframe src="page.html" style="width: {wi
     press(root, 'Home'); press(root, ' ');
     const playing = button.textContent;
     press(root, ' ');
+    const switches = all(root, '.variants input'), switched = [];
+    for (const i of switches.length ? [0, 1, 0] : [])
+      {{ switches[i].click(); switched.push(all(root, '.moving').map(e => e.style.display !== 'none')); }}
     const wide = all(root, 'figure, svg, .controls').filter(e => e.getBoundingClientRect().right > page.innerWidth + 1);
-    return {{ seen, keys, playing, paused: button.textContent, wide: wide.length,
+    return {{ seen, keys, switched, playing, paused: button.textContent, wide: wide.length,
       still: root.querySelector('.picture .scroll').getBoundingClientRect().height }};
   }});
   document.documentElement.dataset.found = JSON.stringify({{ found, viewers: all(page.document, '.viewer').length,
@@ -85,6 +88,7 @@ def test_viewer_shows_what_the_archive_holds(made: Path, tmp_path: Path, width: 
     assert told["requests"] == 0 and told["viewers"] == len(told["found"]) == 2  # DBE and MCE
     dbe = told["found"][0]
     assert [frame["analysis"] for frame in dbe["seen"][0]["frames"]] == ["bare.DBE", "damped.DBE"]
+    assert dbe["switched"] == [[False, True], [False, True], [True, True]]  # the last one stays
     with h5py.File(made) as archive:
         for viewer in told["found"]:
             for state in viewer["seen"]:

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.assess.sets import HistorySet, history_sets
+from edesign.errors import EdesignError
 from edesign.project.actions.hazard_base import Hazard
 from edesign.project.project import Project
 from edesign.report.archive_view import all_results, entry, input_warnings
@@ -14,6 +15,8 @@ from edesign.report.archived import archived_base, archived_frame, archived_haza
 from edesign.report.capacity.pushover_tables import target_tables
 from edesign.report.design.isolation_tables import isolation_estimate_table, isolation_table
 from edesign.report.ground_motion.record_tables import tables_of
+from edesign.report.inputs.steel_list import steel_tables
+from edesign.report.inputs.variant_frames import VariantFrames
 from edesign.report.response.analysis_tables import analyses_table, measures_table, periods_table, statistics_table
 from edesign.report.response.damper_results import dampers_table
 from edesign.report.response.ground_tables import ground_tables
@@ -44,7 +47,17 @@ def project_tables(archive: Archive) -> list[Table]:
     tables += torsion_tables(history_sets(groups))
     tables += member_tables(history_sets(groups), archived_hazard(archive), archived_frame(archive))
     tables.append(statistics_table(entries))
+    tables += _steel(archive)
     return [table for table in tables if table.rows or table.notes]
+
+
+def _steel(archive: Archive) -> list[Table]:
+    """The steel list of a plane frame; none where the text of its project cannot be read."""
+    try:
+        base = archived_base(archive)
+        return steel_tables(VariantFrames(archive, base)) if isinstance(base, Project) else []
+    except EdesignError:
+        return []
 
 
 def member_tables(sets: Sequence[HistorySet], hazard: Hazard | None, frame: Project | None = None) -> list[Table]:

@@ -27,6 +27,7 @@ from edesign.report.capacity.pushover_tables import target_tables
 from edesign.report.design.designs_tables import designs_tables
 from edesign.report.design.isolation_tables import isolation_estimate_table, isolation_statistics_table
 from edesign.report.inputs.connections import connection_tables
+from edesign.report.inputs.steel_list import steel_tables
 from edesign.report.inputs.variant_frames import VariantFrames
 from edesign.report.response.ground_tables import ground_tables
 from edesign.report.tables.column import Column, col, count, text
@@ -112,8 +113,11 @@ def study_tables(archive: Archive) -> list[Table]:
     frames = VariantFrames(archive, study.base, study)
     try:
         tables += connection_tables(frames, study, sets, lambda name: results(archive, name), governing=True)
+        tables += steel_tables(frames)
     except EdesignError as error:  # a frame that cannot be built again: the rest stands
-        tables.append(Table("", notes=[f"no forces on connections of dampers: {error}"], headed=False))
+        tables.append(
+            Table("", notes=[f"no forces on connections of dampers, and no steel list: {error}"], headed=False)
+        )
     tables += derived_tables(study, sets)
     tables += target_tables(study.base, groups, study)
     judged = read_judged(archive, groups)

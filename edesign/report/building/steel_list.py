@@ -15,33 +15,13 @@ from edesign.frame.sections.section_lists import family_of
 from edesign.project.building.design import DEFAULT_PRICE, PricesEach
 from edesign.report.building.check_table import check_words, use
 from edesign.report.building.results import MET, NOT_MET, BuildingResults
-from edesign.report.tables.cell import Quantity, Value
+from edesign.report.inputs.steel_list import Pieces, Plate, doubler_plates, plate_of, steel_list
+from edesign.report.tables.cell import Value
 from edesign.report.tables.column import col, count, text, verdict
 from edesign.report.tables.table import Table, TableSpec
-from edesign.report.tables.text import wrapped
-from edesign.report.tables.unit import KG, MM, ONE, M, T, Unit
+from edesign.report.tables.unit import ONE, M, T
 from edesign.space.structure.secondary_beams import secondary_beams
 
-STEEL_LIST = TableSpec[dict[str, Value]](
-    "steel_list",
-    "Steel list",
-    (
-        text("kind"),
-        text("section"),
-        text("steel"),
-        count("number"),
-        text("each [m]", "each", name="each", broken=1),
-        col("length", M, form=".1f"),
-        col("kg/m", Unit("kg/m"), "per_metre", name="weight", silent=True),
-        col("mass", T, digits=4),
-        col("cost", ONE, digits=5, optional=True),
-    ),
-    notes=(
-        "Lengths from node to node. Connections and stiffeners are in no list; weights are the area of the section "
-        "times the density of its steel.",
-    ),
-    keys=3,
-)
 BESIDE = TableSpec[dict[str, Value]](
     "beside_the_steel_list",
     "Steel and work beside the steel list",
@@ -56,23 +36,6 @@ BESIDE = TableSpec[dict[str, Value]](
     ),
     notes=("Secondary beams with a section; splices where the section of a column changes; doubler plates of panels.",),
     keys=3,
-)
-DOUBLERS = TableSpec[dict[str, Value]](
-    "doubler_plates",
-    "Doubler plates of web panels",
-    (
-        text("column"),
-        col("thickness", MM, digits=3),
-        col("width", MM, digits=3),
-        col("height", MM, digits=3),
-        count("number"),
-        col("mass", KG, digits=4),
-        text("at", broken=1),
-    ),
-    notes=(
-        "One plate a panel (EN 1998-1, 6.6.3(6)); width between the fillets, height of the deepest beam at the joint. "
-        "What a plate reaches beyond (EN 1993-1-8, 6.2.6.1(11)) is not in its mass.",
-    ),
 )
 EVERY_MEMBER = TableSpec[dict[str, Value]](
     "every_member",
@@ -92,40 +55,18 @@ EVERY_MEMBER = TableSpec[dict[str, Value]](
     notes=("use: effect over resistance; combination: its number in the table of combinations; x / L: along it",),
 )
 _ENDS = ("start_node", "end_node", "start", "end")
-NAMED = 6  # joints with a doubler plate that are named in a row
 
 
 def steel_list_table(results: BuildingResults) -> Table:
     """Return the sections of each kind of member with number, lengths, weight, and cost where the file has prices."""
     names = ("kind", "section", "material", "length")
-    pieces: dict[tuple[str, str, str], Counter[float]] = {}
+    pieces: Pieces = {}
     for kind, section, steel, length in zip(*(results.values("members", name) for name in names), strict=True):
         pieces.setdefault((str(kind), str(section), str(steel)), Counter())[round(float(length), 3)] += 1
     density = _densities(results)
-    rows: list[dict[str, Value]] = []
-    masses, costs = 0.0, 0.0
-    for (kind, section, steel), lengths in sorted(pieces.items(), key=lambda one: _order(*one[0])):
-        metres = sum(length * number for length, number in lengths.items())
-        per_metre = results.section(section).A * density[steel]
-        mass, price = per_metre * metres, _price(results, section)
-        masses, costs = masses + mass, costs + mass * (price or 0.0)
-        rows.append(
-            {
-                "kind": kind,
-                "section": section,
-                "steel": steel,
-                "number": lengths.total(),
-                "each": ", ".join(f"{number} x {length:.2f}" for length, number in sorted(lengths.items())),
-                "length": metres,
-                "per_metre": per_metre,
-                "mass": mass,
-                "cost": None if price is None else mass * price,
-            }
-        )
-    whole: dict[str, Value] = {"kind": "all", "number": sum(of.total() for of in pieces.values())}
-    whole |= dict.fromkeys(("section", "steel", "each", "length", "per_metre"), "")
-    whole |= {"mass": Quantity(masses, T, 4, beside=True), "cost": costs or None}
-    return STEEL_LIST.of([*rows, whole] if rows else [], notes=wrapped(_beside_in_words(results)) if rows else [])
+    weights = {(section, steel): results.section(section).A * density[steel] for _, section, steel in pieces}
+    prices = {section: _price(results, section) for section, _ in weights}
+    return steel_list(pieces, weights, prices, beside=_beside_in_words(results))
 
 
 def beside_table(results: BuildingResults) -> Table:
@@ -163,7 +104,7 @@ def _beside(results: BuildingResults) -> list[dict[str, Value]]:
         price = _price(results, section)
         rows.append(row | {"each": f"{length:.2f}", "mass": mass, "cost": None if price is None else mass * price})
     each = building.design.select.prices_each if building.design is not None else PricesEach()
-    plates = sum(float(str(row["mass"])) for row in _plates(results))
+    plates = sum(plate.mass * len(nodes) for plate, nodes in _plates(results).items())
     work = (
         ("splices of columns", _splices(results), None, each.splice),
         ("doubler plates", sum(1 for _ in _doublers(results)), plates, each.doubler),
@@ -185,32 +126,16 @@ def _splices(results: BuildingResults) -> int:
 
 def doublers_table(results: BuildingResults) -> Table:
     """Return the doubler plates that the web panels need, alike ones together; no rows where none is needed."""
-    return DOUBLERS.of(_plates(results))
+    return doubler_plates(_plates(results))
 
 
-def _plates(results: BuildingResults) -> list[dict[str, Value]]:
-    """A row for each kind of doubler plate."""
-    found: dict[tuple[str, str, float, float, float], list[str]] = {}
-    for node, section, steel, thickness, height in _doublers(results):
-        width = results.section(section).h - 2.0 * (results.section(section).tf + results.section(section).r)
-        found.setdefault((section, steel, round(thickness, 6), round(width, 6), round(height, 6)), []).append(node)
+def _plates(results: BuildingResults) -> dict[Plate, list[str]]:
+    """The doubler plates that the web panels need, with their joints."""
+    found: dict[Plate, list[str]] = {}
     density = _densities(results)
-    rows: list[dict[str, Value]] = []
-    for (section, steel, thickness, width, height), nodes in sorted(found.items()):
-        volume = thickness * width * height
-        more = len(nodes) - NAMED
-        rows.append(
-            {
-                "column": section,
-                "thickness": thickness,
-                "width": width,
-                "height": height,
-                "number": len(nodes),
-                "mass": len(nodes) * volume * density[steel],
-                "at": ", ".join(nodes[:NAMED]) + (f" and {more} more" if more > 0 else ""),
-            }
-        )
-    return rows
+    for node, section, steel, thickness, height in _doublers(results):
+        found.setdefault(plate_of(results.section(section), thickness, height, density[steel]), []).append(node)
+    return found
 
 
 def every_member_table(results: BuildingResults) -> Table:
@@ -228,14 +153,6 @@ def every_member_table(results: BuildingResults) -> Table:
         row["x"] = float(member["station"][governs]) if applies and not math.isnan(ratio) else None
         rows.append(row)
     return EVERY_MEMBER.of(rows)
-
-
-def _order(kind: str, section: str, steel: str) -> tuple[int, str, float, str]:
-    """Columns, beams, braces; families by name, and in each by size."""
-    kinds = ("column", "beam", "brace")
-    sizes = section.removeprefix(family_of(section)).replace("x", ".", 1).partition("x")[0]
-    size = float(sizes) if sizes.replace(".", "", 1).isdigit() else 0.0
-    return (kinds.index(kind) if kind in kinds else len(kinds), family_of(section), size, section + steel)
 
 
 def _densities(results: BuildingResults) -> dict[str, float]:

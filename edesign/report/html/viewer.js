@@ -18,6 +18,7 @@
   };
   const isWide = ([x0, y0, x1, y1]) => x1 - x0 > 2.5 * (y1 - y0);
   const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5];
+  const SHOWN = 4; // variants at first; the others wait for their switch
   const IN_STEPS = 500; // ms between pictures for readers who want less motion
   const reduced = window.matchMedia("(prefers-reduced-motion: reduce)");
 
@@ -263,6 +264,7 @@
     constructor(root, scene, steps, number) {
       Object.assign(this, { root, scene, number, k: scene.peak, speed: 1, scale: scene.scale, playing: false });
       const read = reader(steps);
+      this.parts = scene.variants.map(() => []); // of each variant in the diagrams
       this.live = node(root, "div", { class: "live", role: "group", "aria-label": "Motion of the structure" });
       this.controls();
       const [x0, y0, x1, y1] = this.spread();
@@ -278,6 +280,7 @@
       root.append(this.live, root.querySelector(".still"));
       root.classList.add("on");
       this.rescale();
+      this.choose();
       this.live.addEventListener("keydown", event => this.key(event));
       document.addEventListener("visibilitychange", () => document.hidden && this.pause());
     }
@@ -309,6 +312,30 @@
       };
       choice("speed", SPEEDS, this.speed, v => `× ${v}`, v => { this.speed = v; });
       choice("displacements", scene.scales, this.scale, v => `× ${v}`, v => { this.scale = v; this.rescale(); });
+      if (scene.variants.length > 1) this.switches();
+    }
+
+    /* Which variants are shown; one always is. */
+    switches() {
+      const bar = node(this.live, "div", { class: "controls variants", role: "group", "aria-label": "variants shown" });
+      this.boxes = this.scene.variants.map((about, i) => {
+        const label = node(bar, "label"), box = node(label, "input", { type: "checkbox" });
+        box.checked = i < SHOWN;
+        box.addEventListener("change", () => {
+          if (!this.boxes.some(one => one.checked)) box.checked = true;
+          this.choose();
+        });
+        node(label, "span", {}, about.title).style.color = about.color;
+        return box;
+      });
+    }
+
+    choose() {
+      this.frames.forEach((frame, i) => {
+        frame.off = Boolean(this.boxes && !this.boxes[i].checked);
+        for (const part of [frame.figure, ...this.parts[i]]) part.style.display = frame.off ? "none" : "";
+      });
+      this.show(this.k);
     }
 
     legend(box) {
@@ -341,6 +368,7 @@
         [0, 1].map(up => [made.x(value(i)), made.y(i + up)])).flat());
       const lines = frames.map(f => [0, 1, 2].map(i =>
         made.line({ stroke: f.about.color, opacity: i < 2 ? 0.45 : 1, "stroke-width": i < 2 ? 1.2 : 2 })));
+      lines.forEach((own, j) => this.parts[j].push(...own));
       this.drawProfile = k => frames.forEach((f, j) => [f.drift_min, f.drift_max, f.drift].forEach((of, i) =>
         lines[j][i].setAttribute("d", steps(f, storey => of(k, storey)))));
     }
@@ -409,7 +437,7 @@
     show(k) {
       this.k = Math.max(0, Math.min(this.scene.n - 1, k));
       const time = this.scene.start + this.k * this.scene.dt;
-      this.frames.forEach(f => f.draw(this.k, this.scale));
+      this.frames.forEach(f => f.off || f.draw(this.k, this.scale));
       this.drawProfile(this.k);
       this.drawCursor(this.k);
       this.drawLoop(this.k);
@@ -435,7 +463,7 @@
           this.show(this.k + (reduced.matches ? 1 : on));
           if (this.k >= this.scene.n - 1) return this.pause();
         }
-        if (!reduced.matches) this.frames.forEach(f => f.draw(this.k, this.scale, behind / wait));
+        if (!reduced.matches) this.frames.forEach(f => f.off || f.draw(this.k, this.scale, behind / wait));
         requestAnimationFrame(step);
       };
       requestAnimationFrame(step);
@@ -449,7 +477,7 @@
     }
 
     key(event) {
-      if (event.altKey || event.ctrlKey || event.metaKey || event.target.tagName === "SELECT") return;
+      if (event.altKey || event.ctrlKey || event.metaKey || event.target.matches("select, [type=checkbox]")) return;
       const second = Math.max(1, Math.round(1 / this.scene.dt));
       const moves = { ArrowLeft: -1, ArrowRight: 1, ArrowDown: -1, ArrowUp: 1, PageDown: -second, PageUp: second,
         Home: -this.scene.n, End: this.scene.n };

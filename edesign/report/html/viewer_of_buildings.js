@@ -166,6 +166,7 @@ const viewerOfBuildings = ({ node, path, short, signed, mixed, Diagram, Viewer, 
     /* A picture, or in between: a share of the way to the next, on which nodes go straight. */
     draw(k, scale, share = 0) {
       this.last = [k, scale, share];
+      if (this.off) return;
       const { canvas, about } = this, width = canvas.clientWidth, height = canvas.clientHeight;
       const moved = this.motion(k), next = Math.min(k + 1, this.scene.n - 1);
       if (share) this.motion(next).forEach((to, i) => to.forEach((value, c) => moved[i][c] += share * (value - moved[i][c])));
@@ -421,9 +422,11 @@ const viewerOfBuildings = ({ node, path, short, signed, mixed, Diagram, Viewer, 
       made.span(-aside, aside, -most, most, ["", ""], [`\u00b1 ${+most.toPrecision(3)} mm`]);
       const drawn = frames.map((f, j) => {
         const points = ways[j].map(([x, y]) => [made.x(x), made.y(y)]);
-        made.line({ stroke: "#d7dce3", "stroke-width": 0.8, d: path(points) });
-        return { points, past: made.line({ stroke: f.about.color, "stroke-width": 1.1 }),
+        const whole = made.line({ stroke: "#d7dce3", "stroke-width": 0.8, d: path(points) });
+        const one = { points, past: made.line({ stroke: f.about.color, "stroke-width": 1.1 }),
           point: node(made.layer, "svg:circle", { r: 4, fill: f.about.color, stroke: "#fff" }) };
+        this.parts[j].push(whole, one.past, one.point);
+        return one;
       });
       const profile = this.drawProfile;
       this.drawProfile = k => {

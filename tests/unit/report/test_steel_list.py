@@ -8,9 +8,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 from building_examples import SMALL
+from unit.report.figure_archive import TEXT as FRAME
 
 from edesign.archive.reader import open_archive
 from edesign.frame.building_file import load_building
+from edesign.frame.sections.building_sections import BuildingSections
+from edesign.project.loader import parse_project
 from edesign.report.building.force_diagrams import along_of, force_diagrams
 from edesign.report.building.results import BuildingResults
 from edesign.report.building.steel_list import (
@@ -20,6 +23,8 @@ from edesign.report.building.steel_list import (
     steel_list_table,
 )
 from edesign.report.html.lettering import faults
+from edesign.report.inputs.steel_list import steel_tables
+from edesign.report.inputs.variant_frames import VariantFrames
 from edesign.study.run.building import run_building
 
 PRICED = f"{SMALL}  select: {{objective: cost, prices: {{default: 2, HEB: 3}}, prices_each: {{doubler: 100}}}}\n"
@@ -74,6 +79,34 @@ def test_what_is_beside_the_list_by_hand(tmp_path: Path) -> None:
     assert float(str(beams[6])) == pytest.approx(2.0 * float(str(beams[5])))
     assert (plates[0], plates[3], plates[6]) == ("doubler plates", panels, 100.0 * panels) and panels > 0
     assert "Beside it: 8 secondary beams, 0.89" in " ".join(listed.notes)
+
+
+def test_the_list_of_a_plane_frame_has_braces_of_dampers_and_doublers() -> None:
+    """Two columns of 4 and 3 m, two beams of 6 m, a chevron of two braces of 5 m, a plate on both sides of floor 1.
+
+    Weights of a metre as above; SHS120x5 by EN 10210-2, Table B.2: 17.8 kg/m. A plate of 8 mm is
+    200 - 2 (15 + 18) = 134 mm wide and 300 mm high: 0.008 x 0.134 x 0.300 x 7850 = 2.52 kg.
+    """
+    text = FRAME.replace(
+        "analyses:",
+        "panel_zones: [{floors: 1, doubler: 8 mm}]\n"
+        "dampers:\n  laws: {oil: {type: viscous, parameters: {c: 400 kN*s/m}}}\n"
+        "  devices: [{kind: chevron, law: oil, bays: 1, storeys: 1, brace: {section: SHS120x5, material: S275}}]\n"
+        "analyses:",
+    )
+    project = parse_project(text, Path("frame.yaml"), BuildingSections(), files=False)
+    members, braces, plates = steel_tables(VariantFrames(None, project))  # type: ignore[arg-type]  # of a project
+    names = [column.in_files for column in members.columns]
+    found = {row[1]: dict(zip(names, row, strict=True)) for row in (*members.texts, *braces.texts)}
+    for section, number, length, weight in (
+        ("HEB200", 4, 14.0, 61.3), ("IPE300", 2, 12.0, 42.2), ("SHS120x5", 2, 10.0, 17.8)
+    ):  # fmt: skip
+        row = found[section]
+        assert (int(row["number"]), float(row["length"])) == (number, length)
+        assert float(row["mass"]) == pytest.approx(length * weight * 1e-3, rel=5e-3)
+    plate = dict(zip([column.in_files for column in plates.columns], plates.texts[0], strict=True))
+    assert (plate["column"], plate["number"], plate["at"]) == ("HEB200", "2", "A1, B1")
+    assert float(plate["mass"]) == pytest.approx(2 * 2.52, rel=2e-3)
 
 
 def test_every_member_stands_in_the_list_with_its_largest_use(results: BuildingResults) -> None:

@@ -14,6 +14,7 @@ from edesign.report.inputs.connections import connection_tables
 from edesign.report.inputs.damper_schedule import schedule_tables
 from edesign.report.inputs.law_parameters import law_tables
 from edesign.report.inputs.mass_table import mass_tables
+from edesign.report.inputs.steel_list import steel_tables
 from edesign.report.inputs.variant_frames import VariantFrames
 from edesign.report.inputs.variants_table import variants_table
 from edesign.report.page.project_facts import project_rows
@@ -86,6 +87,7 @@ def _of_frames(source: Source, frames: VariantFrames) -> list[Part]:
     """Masses, laws and schedule; one that cannot be made, as a file is not at hand, is named under Provenance."""
     makers: tuple[tuple[str, Callable[[], list[Table]]], ...] = (
         ("masses of the floors", lambda: mass_tables(frames)),
+        ("steel", lambda: steel_tables(frames)),
         ("laws of the dampers", lambda: law_tables(frames)),
         (
             "damper schedule",
@@ -100,7 +102,7 @@ def _of_frames(source: Source, frames: VariantFrames) -> list[Part]:
         with source.or_left_out(what):
             tables = make()
         each = what == "connections of each damper"
-        if tables and what != "masses of the floors" and not each:
+        if tables and what not in ("masses of the floors", "steel") and not each:
             parts.append(Heading(what.capitalize()))
         parts += [Folded(f"{t.title} ({len(t.rows)} rows)", (t,)) if each or len(t.rows) > MANY else t for t in tables]
     return parts
