@@ -19,8 +19,8 @@ def sections(
         str | None,
         typer.Argument(
             metavar="[FAMILY|NAME|PATTERN]",
-            help="HEB, HE (all that begin so), SHS, CHS, L, IPN, a name as you write it, or a pattern such as 'UB457*' "
-            "or 'SHS160*'; without it all rolled I sections of parallel flanges.",
+            help="HEB, HE (all that begin so), SHS, CHS, L, IPN, UPN, a name as you write it, or a pattern such as "
+            "'UB457*' or 'SHS160*'; without it all rolled I sections of parallel flanges.",
             show_default=False,
             autocompletion=section_names,
         ),

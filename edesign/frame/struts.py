@@ -191,7 +191,7 @@ def _of_section(shape: SteelSection, steel: Material) -> tuple[float, list[AxisD
 
 def _curves(section: SteelSection, fy: float) -> list[Curve]:
     """Buckling curves about the strong and the weak axis."""
-    if section.kind == "other":
+    if section.kind in ("other", "2U"):
         return [solid_curve()] * 2
     if section.kind == "L":
         return [angle_curve()] * 2

@@ -163,7 +163,7 @@ def _check_lists(building: Building) -> None:
             if keys[-1] not in braces and any(section.axial_alone for section in found):
                 where = building.where("design", "select", "lists", *keys, place)
                 raise InputError(
-                    f"{where}: design.select.lists.{'.'.join(keys)}: `{name}` are angles, which only braces can have; "
+                    f"{where}: design.select.lists.{'.'.join(keys)}: `{name}` are sections that only braces can have; "
                     "columns and beams have I, H or hollow sections [E-SPACE-08]"
                 )
     for family in select.prices:

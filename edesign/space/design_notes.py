@@ -6,6 +6,7 @@ from edesign.codes.ec8.national import NationalParameters
 from edesign.codes.ec8.second_order import NEGLIGIBLE
 from edesign.codes.en1990.combinations import Combination
 from edesign.codes.rule_check import ROUNDING
+from edesign.frame.sections.channels import packing_distance
 from edesign.project.building.building import Building
 from edesign.project.building.plausible import unusual
 from edesign.project.notation.units import STANDARD_GRAVITY
@@ -63,6 +64,9 @@ def _limits(
         )
     notes += [vertical.note] if vertical else []
     notes += [LIVE_LOADS_REDUCED] if building.loads.live_load_reduction else []
+    if pairs := sorted({name for name, _ in frame.sections[0] if frame.section(name).kind == "2U"}):
+        each = ", ".join(f"{name} every {packing_distance(name):.2f} m" for name in pairs)
+        notes.append(f"two channels act as one with packings at most 15 i_min apart: {each} (EN 1993-1-1, 6.4.4)")
     if any(run.law is not None for run in building.braces):
         notes.append(
             "weight, mass and cost of buckling-restrained braces count with their steel cores alone; their casings "

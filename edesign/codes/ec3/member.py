@@ -299,7 +299,7 @@ class Strength:
         curve = self._buckling_curve(axis)
         bending = chi = buckling.reduction_factor(slenderness, curve)
         formula = _reduction_formula(f"lambda_{axis}", slenderness, curve, buckling.NO_BUCKLING, 1.0)
-        if axis == "z" and member.buckles_by_twisting:
+        if axis == "z" and (member.buckles_by_twisting or s.kind == "2U"):
             trace.add("chi by bending", chi, "1", formula, "6.3.1.2(1), Eq. 6.49")
             chi = self._torsional(chi, curve)
         else:
@@ -320,6 +320,10 @@ class Strength:
     def N_cr_T(self) -> float:
         """Return the elastic critical force of torsional buckling, N; infinite where the member cannot twist."""
         s, member = self.section, self.member
+        if s.kind == "2U":  # I_w = 0, so that no length counts
+            self.torsion()
+            critical = s.A / (s.I_y + s.I_z) * member.G * s.I_t
+            return self.trace.add("N_cr,T", critical, "N", "A / (I_y + I_z) G I_t", "6.3.1.4, SN001")
         if not member.buckles_by_twisting:
             return math.inf
         length = self.trace.add("L_T", member.stability.L_LT, "m", "between restraints of twisting")
@@ -336,6 +340,8 @@ class Strength:
         elif s.kind == "I":
             curve = buckling.rolled_i_curve(s.h, s.b, s.tf, "y" if axis == "y" else "z", self.member.fy)
             expression = f"h/b = {s.h / s.b:.3g}, t_f = {1e3 * s.tf:.3g} mm, about {axis}"
+        elif s.kind == "2U":
+            curve, expression = buckling.solid_curve(), "channels"
         elif s.kind == "L":
             curve, expression = buckling.angle_curve(), f"angle, about {'u' if axis == 'y' else 'v'}"
         elif s.welded:

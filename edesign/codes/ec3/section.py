@@ -8,7 +8,7 @@ from typing import Literal
 
 DENSITY = 7850.0  # of steel, kg/m3; EN 1991-1-1, Table A.4, and EN 10365
 
-Shape = Literal["I", "RHS", "CHS", "L", "BRB", "other"]
+Shape = Literal["I", "RHS", "CHS", "L", "2U", "U", "BRB", "other"]
 
 
 @dataclass(frozen=True)
@@ -17,9 +17,10 @@ class SteelSection:
 
     Attributes:
         name: as the catalogue has it: `IPE330`, `SHS200x10`.
-        kind: I; RHS: hollow, square or rectangular; CHS: hollow, circular; L: an angle, y and z its principal
-            axes u and v; BRB: the core of a buckling-restrained brace, known by its area; other: of a shape that no
-            clause knows. Of these three the section moduli and the shear areas of the clauses are nan.
+        kind: I; RHS: hollow, square or rectangular; CHS: hollow, circular; L: an angle, y and z its principal axes u
+            and v; 2U: two channels back to back; U: one, of tables alone; BRB: the core of a buckling-restrained brace,
+            known by its area; other: of a shape that no clause knows. Of the last five the section moduli and the shear
+            areas of the clauses are nan.
         cold_formed: a hollow section by EN 10219; otherwise hot rolled or hot finished.
         h, b: height and width, of a CHS its diameter, m.
         tw, tf: thickness of web and flanges; of hollow sections that are not welded both the wall, m.
@@ -62,17 +63,17 @@ class SteelSection:
     @property
     def has_class(self) -> bool:
         """Whether EN 1993-1-1 classifies it, and can check members of it."""
-        return self.kind != "other"
+        return self.kind not in ("other", "U")
 
     @property
     def axial_alone(self) -> bool:
         """Whether its checks are those of an axial force alone, so that only pin-ended braces may have it."""
-        return self.kind in ("L", "BRB")
+        return self.kind in ("L", "2U", "BRB")
 
     @property
     def webs(self) -> int:
         """Number of plane webs that carry shear along z."""
-        return {"I": 1, "RHS": 2, "CHS": 0, "L": 0, "BRB": 0, "other": 0}[self.kind]
+        return {"I": 1, "RHS": 2, "CHS": 0, "L": 0, "2U": 2, "U": 1, "BRB": 0, "other": 0}[self.kind]
 
     @property
     def h_w(self) -> float:

@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterator
 
 from edesign.errors import InputError, split_code
 from edesign.frame.sections.angles import angle_name, near_angle
+from edesign.frame.sections.channels import near_channel, pair_name
 from edesign.frame.sections.hollow_section import hollow_section
 from edesign.frame.sections.profiles import profile_names
 from edesign.frame.sections.restrained_core import core_name
@@ -43,13 +44,13 @@ class BuildingSections(Collection[str]):
         return profile_names().canonical(name) if hollow is None else hollow.name
 
     def canonical_in_building(self, name: str, brace: bool = False) -> str | None:
-        """Return the name of a section that only buildings have: tapered, of braces an angle or a core; else None.
+        """Return the name of a section that only buildings have, or only their braces; None of others.
 
         Args:
             name: as a user writes it.
             brace: whether it is that of a pin-ended brace.
         """
-        return tapered_name(name) or ((angle_name(name) or core_name(name)) if brace else None)
+        return tapered_name(name) or ((angle_name(name) or pair_name(name) or core_name(name)) if brace else None)
 
     def near(self, name: str) -> str:
         """Return what there is near a name that is none, as a clause.
@@ -61,4 +62,4 @@ class BuildingSections(Collection[str]):
             hollow_section(name)
         except InputError as error:
             return split_code(str(error))[0]
-        return near_angle(name) or near_tapered(name) or profile_names().near(name)
+        return near_angle(name) or near_tapered(name) or near_channel(name) or profile_names().near(name)

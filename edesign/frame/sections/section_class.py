@@ -77,7 +77,7 @@ def section_class(
 
     The flat parts are h - 2 t_f - 2 r and (b - t_w - 2 r)/2 of an I section, h - 3 t and b - 3 t of an RHS
     (EN 1993-1-5, Table 4.1). Those of welded sections reach up to the other plates. Legs of an angle count with their
-    whole length, as in Table 5.2, sheet 3. Flanges, and both pairs of walls
+    whole length, as in Table 5.2, sheet 3; channels of a pair count one by one. Flanges, and both pairs of walls
     under biaxial bending, count as uniformly compressed.
 
     Args:
@@ -109,6 +109,10 @@ def section_class(
         return SectionClass(section.name, (PartClass("leg", longest / t, one), legs))
     if not compressed:
         return SectionClass(section.name, (_free("web"), _free("flange")))
+    if section.kind == "2U":
+        web, flange = section.h - 2.0 * (section.tf + section.r), section.b - section.tw - section.r
+        inside = PartClass("web", web / section.tw, internal_part_limits(eps))
+        return SectionClass(section.name, (inside, PartClass("flange", flange / section.tf, outstand_limits(eps))))
     if section.kind == "I":
         web, flange = section.h - 2.0 * (section.tf + section.r), 0.5 * (section.b - section.tw) - section.r
         limits = _web_limits(section, yield_stress, N_Ed, web, section.tw, bent=about_y)

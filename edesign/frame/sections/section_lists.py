@@ -8,6 +8,7 @@ from functools import cache
 from edesign.errors import InputError
 from edesign.frame.sections.angles import angle_name, angle_names
 from edesign.frame.sections.building_sections import BuildingSections
+from edesign.frame.sections.channels import pair_name
 from edesign.frame.sections.profiles import profile_names
 from edesign.frame.sections.restrained_core import FAMILY, core_name
 from edesign.frame.sections.section_names import SectionNames
@@ -62,7 +63,7 @@ Source: sizes of Celsius 355 CHS (Tata Steel), a programme of EN 10210-2.
 SQUARES = "SHS"
 _OTHER_HOLLOW = ("RHS", "CFSHS", "CFRHS", "CFCHS", "HSS")
 _AS_GOOD = ("I_y", "I_z", "W_pl_y", "W_pl_z")
-_PROPERTIES = {"I": (*_AS_GOOD, "A_vz"), "L": ("I_y", "I_z"), "BRB": ("A",)}
+_PROPERTIES = {"I": (*_AS_GOOD, "A_vz"), "L": ("I_y", "I_z"), "2U": ("I_y", "I_z"), "BRB": ("A",)}
 """By which a section is as good as another, where that is not `_AS_GOOD`."""
 
 
@@ -93,7 +94,7 @@ def sections_of(asked: str) -> tuple[SteelSection, ...]:
     """
     if (known := BuildingSections().canonical(asked)) is not None:
         return (steel_section(known),)
-    if (known := angle_name(asked) or tapered_name(asked) or core_name(asked)) is not None:
+    if (known := angle_name(asked) or tapered_name(asked) or pair_name(asked) or core_name(asked)) is not None:
         return (steel_section(known),)
     if asked.upper() in _OTHER_HOLLOW:
         raise InputError(

@@ -7,6 +7,7 @@ from functools import cache
 from edesign.codes.ec3.section import SteelSection
 from edesign.errors import InputError
 from edesign.frame.sections.angles import angle, angle_name, near_angle
+from edesign.frame.sections.channels import channel_pair, near_channel, pair_name
 from edesign.frame.sections.hollow_section import hollow_section
 from edesign.frame.sections.i_steel_section import i_steel_section
 from edesign.frame.sections.profiles import profile, profile_names
@@ -22,7 +23,8 @@ def steel_section(name: str) -> SteelSection:
         name: of a rolled I section, as `profile` takes it, or of a hollow section, sizes in mm: `SHS200x10`,
             `RHS200x100x8`, `CHS168.3x8`, hot finished, with or without `HF` before it; `CFSHS200x10` is cold formed.
             `HSS8x6x1/2` is of ASTM A500, in inches. `L100x100x10` is an angle, of braces alone,
-            `IPN300` has tapered flanges, `BRB25` is a buckling-restrained brace with a core of 25 cm2.
+            `IPN300` has tapered flanges, `BRB25` is a buckling-restrained brace with a core of 25 cm2,
+            `2UPN200x10` two channels back to back.
 
     Raises:
         InputError: there is no such section, or the walls of a hollow one do not fit into it.
@@ -32,9 +34,11 @@ def steel_section(name: str) -> SteelSection:
         return angle(bar)
     if hollow is None and (sloping := tapered_name(name)) is not None:
         return tapered(sloping)
+    if hollow is None and (pair := pair_name(name)) is not None:
+        return channel_pair(pair)
     if hollow is None and (plate := core_name(name)) is not None:
         return core(plate)
-    if hollow is None and (near := near_angle(name) or near_tapered(name)):
+    if hollow is None and (near := near_angle(name) or near_tapered(name) or near_channel(name)):
         raise InputError(f"there is no section `{name}`; {near} [E-NAME-01]")
     if hollow is None:
         known = profile_names().canonical(name)

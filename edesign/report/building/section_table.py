@@ -9,6 +9,7 @@ from typing import Any
 
 from edesign.archive.csv_files import write_csv_file
 from edesign.codes.ec3.section import SteelSection
+from edesign.frame.sections.channels import channel, channel_name, channel_names, gravity_centre
 from edesign.frame.sections.profiles import profile_names
 from edesign.frame.sections.section_lists import sections_of
 from edesign.frame.sections.steel_section import steel_section
@@ -102,13 +103,57 @@ ANGLES = TableSpec[SteelSection](
     ),
     named_by_title=True,
 )
+
+
+def _channel(section: SteelSection) -> Quantity:
+    """The place of the centroid of a single channel, from the back of its web."""
+    return Quantity(gravity_centre(section.name), CM, form=".4g", beside=True)
+
+
+CHANNELS = TableSpec[SteelSection](
+    "channels",
+    "Channels (sizes in mm, i and e from the back of the web in cm, cm2, cm4, kg/m)",
+    (
+        text("section", "name"),
+        _property("h", MM),
+        _property("b", MM),
+        _property("t_w", MM, "tw", digits=3),
+        _property("t_f", MM, "tf", digits=3),
+        _property("A", CM2),
+        _property("I_y", CM4),
+        _property("I_z", CM4),
+        _property("i_y", CM),
+        _property("i_z", CM),
+        col("e", CM, _channel, silent=True),
+        _property("mass", Unit("kg/m"), digits=3),
+    ),
+    named_by_title=True,
+)
+PAIRS = TableSpec[SteelSection](
+    "channel_pairs",
+    "Pairs of channels back to back (sizes of one in mm, i in cm, cm2, cm4, kg/m)",
+    (
+        text("section", "name"),
+        _property("h", MM),
+        _property("b", MM),
+        _property("t_w", MM, "tw", digits=3),
+        _property("t_f", MM, "tf", digits=3),
+        _property("A", CM2),
+        _property("I_y", CM4),
+        _property("I_z", CM4),
+        _property("i_y", CM),
+        _property("i_z", CM),
+        _property("mass", Unit("kg/m"), digits=3),
+    ),
+    named_by_title=True,
+)
 CORES = TableSpec[SteelSection](
     "restrained_cores",
     "Cores of buckling-restrained braces (A in cm2, mass of the core in kg/m)",
     (text("section", "name"), _property("A", CM2), _property("mass", Unit("kg/m"), digits=3)),
     named_by_title=True,
 )
-_TABLES = {"I": SECTIONS, "RHS": HOLLOW, "CHS": HOLLOW, "L": ANGLES, "BRB": CORES}
+_TABLES = {"I": SECTIONS, "RHS": HOLLOW, "CHS": HOLLOW, "L": ANGLES, "U": CHANNELS, "2U": PAIRS, "BRB": CORES}
 
 
 def chosen_sections(what: str | None) -> list[SteelSection]:
@@ -117,7 +162,11 @@ def chosen_sections(what: str | None) -> list[SteelSection]:
     Raises:
         InputError: there is none; the message says what there is near it.
     """
-    return list(map(steel_section, profile_names()) if what is None else sections_of(what))
+    if what is None:
+        return [steel_section(name) for name in profile_names()]
+    one = channel_name(what)
+    single = [one] if one is not None else channel_names().chosen(what) if what.upper().startswith("UP") else []
+    return [channel(name) for name in single] or list(sections_of(what))
 
 
 def section_tables(sections: Sequence[SteelSection]) -> list[Table]:

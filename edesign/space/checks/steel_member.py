@@ -29,7 +29,7 @@ class SteelMember(Member):
             N_Rd = strength.N_pl_Rd()
             return replace(UNCHECKED, N_Rd=N_Rd, N_b_y_Rd=N_Rd, N_b_z_Rd=N_Rd)
         y, z = strength.flexural("y"), strength.flexural("z")
-        if s.kind == "L":
+        if s.axial_alone:
             return replace(UNCHECKED, N_Rd=strength.N_pl_Rd(), N_b_y_Rd=y.N_b_Rd, N_b_z_Rd=z.N_b_Rd)
         return MemberConstants(
             N_Rd=strength.N_pl_Rd(),

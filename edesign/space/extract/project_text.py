@@ -271,8 +271,8 @@ class _ProjectText:
                 )
             elif self.row.space.section(of).axial_alone:
                 shape = self.row.space.section(of)
-                area, inertia = value(1e4 * shape.A, "cm^2"), value(1e8 * shape.I_z, "cm^4")
-                used[name] = f"{{area: {area}, inertia: {inertia}}}  # an angle, about its weak axis v"
+                area, inertia = value(1e4 * shape.A, "cm^2"), value(1e8 * min(shape.I_y, shape.I_z), "cm^4")
+                used[name] = f"{{area: {area}, inertia: {inertia}}}  # about its weaker axis"
         used |= {LEANING: self._leaning_section()} if self.leans else {}
         return [
             *(["sections:", *(f"  {name}: {of}" for name, of in used.items()), ""] if used else []),

@@ -41,7 +41,7 @@ def test_design_of_angles_in_compression_is_checked_for_buckling() -> None:
 def test_lists_of_angles() -> None:
     select = "  select: {lists: {@: [L]}}\n  serviceability:"
     check_building(building(ANGLES.replace("  serviceability:", select.replace("@", "braces"))))
-    with pytest.raises(InputError, match="angles, which only braces can have"):
+    with pytest.raises(InputError, match="sections that only braces can have"):
         check_building(building(ANGLES.replace("  serviceability:", select.replace("@", "columns"))))
 
 
