@@ -7,6 +7,7 @@ from edesign.codes.ec8.second_order import NEGLIGIBLE
 from edesign.codes.en1990.combinations import Combination
 from edesign.codes.rule_check import ROUNDING
 from edesign.frame.sections.channels import packing_distance
+from edesign.frame.sections.riveted import NOTE
 from edesign.project.building.building import Building
 from edesign.project.building.plausible import unusual
 from edesign.project.notation.units import STANDARD_GRAVITY
@@ -64,6 +65,8 @@ def _limits(
         )
     notes += [vertical.note] if vertical else []
     notes += [LIVE_LOADS_REDUCED] if building.loads.live_load_reduction else []
+    if riveted := sorted({name for name, _ in frame.sections[0] if frame.section(name).parts}):
+        notes.append(f"{listed(riveted)}: {NOTE}")
     if pairs := sorted({name for name, _ in frame.sections[0] if frame.section(name).kind == "2U"}):
         each = ", ".join(f"{name} every {packing_distance(name):.2f} m" for name in pairs)
         notes.append(f"two channels act as one with packings at most 15 i_min apart: {each} (EN 1993-1-1, 6.4.4)")

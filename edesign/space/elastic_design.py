@@ -167,6 +167,14 @@ class ElasticAnalysis:
                 what = "brace along it has a `link`" if kind == ECCENTRIC else what
                 where = self.building.where("design", "systems", axis, "type")
                 raise InputError(f"{where}: design.systems.{axis}.type: `{kind}`, but no {what} [E-SPACE-03]")
+            riveted = [n for n in self.dissipative[axis] if self.frame.section(self.frame.members[n].section).parts]
+            if riveted and self._design.ductility_class != "low":
+                member = self.frame.members[riveted[0]]
+                place = self.building.where(*keys_of_member(self.building, member.name), "section")
+                raise InputError(
+                    f"{place}: {member.name} dissipates energy along {axis}, and its section {member.section} is "
+                    "riveted, whose rivets no rule here makes ductile; take `ductility_class: low` [E-SPACE-10]"
+                )
             without = np.intersect1d(self.dissipative[axis], self.frame.unclassified)
             if without.size:
                 member = self.frame.members[without[0]]

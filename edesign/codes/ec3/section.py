@@ -35,6 +35,8 @@ class SteelSection:
         i_y, i_z: radii of gyration, m.
         mass: kg/m.
         welded: of plates; otherwise rolled or hollow.
+        parts: of a riveted I section, whose flanges are no single plates: name, c/t and whether it is an outstand of
+            each flat part of a flange, and the depth of the web that is free, m, behind "web".
     """
 
     name: str
@@ -59,6 +61,7 @@ class SteelSection:
     W_pl_y: float
     W_pl_z: float
     welded: bool = False
+    parts: tuple[tuple[str, float, bool], ...] = ()
 
     @property
     def has_class(self) -> bool:

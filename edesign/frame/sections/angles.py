@@ -92,6 +92,24 @@ def angle(name: str) -> SteelSection:
     )
 
 
+def leg_properties(name: str) -> tuple[float, float, float, float, float, float, float, float]:
+    """Return an angle about axes along its legs, for sections that it is a part of.
+
+    Args:
+        name: of the catalogue.
+
+    Returns:
+        Long leg, short leg, thickness, m; area, m2; distances of the centroid from the backs of the long and of the
+        short leg, m; own second moments for distances along the short and along the long leg, m4.
+    """
+    h, b, t, r_1, r_2 = (_MM * size for size in _sizes()[name])
+    A = S_x = S_y = I_x = I_y = 0.0
+    for area, x, y, own_x, own_y, _ in _parts(h, b, t, r_1, r_2):
+        A, S_x, S_y = A + area, S_x + area * y, S_y + area * x
+        I_x, I_y = I_x + own_x + area * y**2, I_y + own_y + area * x**2
+    return h, b, t, A, S_y / A, S_x / A, I_y - S_y**2 / A, I_x - S_x**2 / A
+
+
 def _parts(
     h: float, b: float, t: float, r_1: float, r_2: float
 ) -> Iterator[tuple[float, float, float, float, float, float]]:

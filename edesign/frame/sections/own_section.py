@@ -8,6 +8,7 @@ from functools import cache
 
 from edesign.codes.ec3.section import SteelSection
 from edesign.frame.sections.i_steel_section import i_steel_section
+from edesign.frame.sections.riveted import riveted_section
 from edesign.frame.sections.section import rectangle_section
 from edesign.frame.sections.space_section import box_torsion_constant, space_section
 from edesign.frame.sections.steel_section import steel_section
@@ -19,6 +20,7 @@ from edesign.project.frame.sections import (
     Fibres,
     PlateSection,
     RectangleSection,
+    RivetedSection,
     SpaceElasticSection,
 )
 from edesign.project.project import Project
@@ -41,8 +43,10 @@ def section_of(file: Building | Project, name: str) -> SteelSection:
 
 
 @cache
-def own_section(name: str, own: PlateSection | BoxSection | RectangleSection | SpaceElasticSection) -> SteelSection:
-    """Return an own section with its properties: plates are a welded I section or box, others have no class.
+def own_section(
+    name: str, own: PlateSection | BoxSection | RivetedSection | RectangleSection | SpaceElasticSection
+) -> SteelSection:
+    """Return an own section with its properties: plates are a welded or riveted I section or box, others have no class.
 
     The shear centre of a stack of rectangles that is not symmetric is taken at its centroid.
 
@@ -56,6 +60,8 @@ def own_section(name: str, own: PlateSection | BoxSection | RectangleSection | S
         return i_steel_section(name, own.height, own.width, own.web, own.flange, welded=True)
     if isinstance(own, BoxSection):
         return _box(name, own)
+    if isinstance(own, RivetedSection):
+        return riveted_section(name, own)
     if isinstance(own, RectangleSection):
         return _stack(name, own)
     return _other(

@@ -115,9 +115,18 @@ def section_class(
         return SectionClass(section.name, (inside, PartClass("flange", flange / section.tf, outstand_limits(eps))))
     if section.kind == "I":
         web, flange = section.h - 2.0 * (section.tf + section.r), 0.5 * (section.b - section.tw) - section.r
+        if section.parts:
+            web = next(size for name, size, _ in section.parts if name == "web")
         limits = _web_limits(section, yield_stress, N_Ed, web, section.tw, bent=about_y)
         if about_z and not about_y and N_Ed >= 0.0:
             limits = internal_part_limits(eps, 0.0, -1.0)  # at the neutral axis
+        if section.parts:
+            flat = [
+                PartClass(name, ratio, outstand_limits(eps) if outstand else internal_part_limits(eps))
+                for name, ratio, outstand in section.parts
+                if name != "web"
+            ]
+            return SectionClass(section.name, (PartClass("web", web / section.tw, limits), *flat))
         return SectionClass(
             section.name,
             (

@@ -12,7 +12,7 @@ from edesign.project.building.loads import Areas, BeamLoad, Combination, NodeLoa
 from edesign.project.building.names import BeamPlace, node_name
 from edesign.project.building.own_cases import CaseArea
 from edesign.project.building.places import Panels, panels_in
-from edesign.project.frame.sections import BoxSection, Catalogue, PlateSection, no_section
+from edesign.project.frame.sections import BoxSection, Catalogue, PlateSection, RivetedSection, no_section
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
 
 
@@ -132,7 +132,7 @@ def _secondary(building: Building, problems: Problems, keys: Keys, area: Areas, 
     if own is None and not known:
         assert profiles is not None, "without it all names are known"
         problems.at_value((*keys, "secondary_section"), no_section(name, building.sections, profiles))
-    elif own is not None and not isinstance(own, (PlateSection, BoxSection)):
+    elif own is not None and not isinstance(own, (PlateSection, BoxSection, RivetedSection)):
         message = f"`{name}` has no class and no resistance; give a profile, or plates [E-FRAME-02]"
         problems.at_value((*keys, "secondary_section"), message)
     if steel not in building.materials:

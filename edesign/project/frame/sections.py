@@ -106,6 +106,36 @@ class BoxSection(Model):
     webs: Literal[2]
 
 
+class CoverPlates(Model):
+    """The plates on the angles of one flange of a riveted section.
+
+    Attributes:
+        width: of the plates.
+        thickness: of all plates of one flange together.
+    """
+
+    width: PositiveLength
+    thickness: PositiveLength
+
+
+class RivetedSection(Model):
+    """A doubly symmetric I section of a building, riveted from a web plate, four angles and maybe cover plates.
+
+    Attributes:
+        height: of the web plate, over the backs of the angles.
+        web: thickness of the web plate.
+        angles: name of the four angles in the catalogue, such as `L80x80x10`.
+        outstanding: leg of unequal angles that stands out from the web; the other one lies on it.
+        covers: plates on the angles of each flange; without the key there are none.
+    """
+
+    height: PositiveLength
+    web: PositiveLength
+    angles: str
+    outstanding: Literal["long", "short"] | None = None
+    covers: CoverPlates | None = None
+
+
 class SpaceElasticSection(Model):
     """A section of a building that stays elastic, by its properties; its shape is not known.
 
@@ -137,9 +167,10 @@ Section = Annotated[
 ]
 
 SpaceSection = Annotated[
-    PlateSection | BoxSection | RectangleSection | SpaceElasticSection,
+    PlateSection | BoxSection | RivetedSection | RectangleSection | SpaceElasticSection,
     OneOf(
         otherwise=PlateSection,
+        angles=RivetedSection,
         webs=BoxSection,
         rectangles=RectangleSection,
         area=SpaceElasticSection,

@@ -22,6 +22,7 @@ from edesign.project.frame.sections import (
     BoxSection,
     ElasticSection,
     PlateSection,
+    RivetedSection,
     Section,
     SpaceElasticSection,
     SpaceSection,
@@ -203,6 +204,11 @@ def section_words(name: str, section: Section | SpaceSection) -> str:
     if isinstance(section, BoxSection):
         sizes = " × ".join(f"{1e3 * value:g}" for value in (section.height, section.width))
         return f"{name}: welded box {sizes} mm, flanges {1e3 * section.flange:g} mm, webs {1e3 * section.web:g} mm"
+    if isinstance(section, RivetedSection):
+        web, covers = f"{1e3 * section.height:g} × {1e3 * section.web:g} mm", ""
+        if section.covers is not None:
+            covers = f", covers {1e3 * section.covers.width:g} × {1e3 * section.covers.thickness:g} mm"
+        return f"{name}: riveted I, web {web}, 4 {section.angles}{covers}"
     if isinstance(section, SpaceElasticSection):
         given = {"I_y": section.inertia, "I_z": section.weak_inertia, "I_t": section.torsion_constant}
         inertias = "".join(f", {key} = {short(of * 1e8)} cm⁴" for key, of in given.items() if of is not None)

@@ -24,7 +24,7 @@ from edesign.project.actions.beam_loads import points_of_member
 from edesign.project.building.building import Building
 from edesign.project.building.names import Direction
 from edesign.project.frame.materials import ElasticMaterial, with_stiffness
-from edesign.project.frame.sections import SpaceElasticSection
+from edesign.project.frame.sections import RivetedSection, SpaceElasticSection
 from edesign.project.notation.names import MemberKind
 from edesign.space.nonlinear.gravity import GravityLoads, Point
 from edesign.space.nonlinear.member_ends import member_ends
@@ -253,6 +253,11 @@ class BuildingMembers:
             raise InputError(
                 f"{building.path.name}: {placed.name}: {placed.section} has tapered flanges, whose fibres are not "
                 "made; analyses take it with a material of `law: elastic`, or an I section of plates [E-FRAME-02]"
+            )
+        if isinstance(own, RivetedSection):
+            raise InputError(
+                f"{building.where('sections', placed.section)}: sections.{placed.section}: {placed.name} is riveted, "
+                "and its fibres are not made; analyses take it with a material of `law: elastic` [E-FRAME-02]"
             )
         fibres = space_section(own or placed.section, building.fibres.half_flange)
         where = building.where("fibres", "residual_stress")

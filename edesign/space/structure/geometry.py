@@ -9,6 +9,8 @@ from math import inf
 
 import numpy as np
 
+from edesign.codes.ec3.section import SteelSection
+from edesign.errors import InputError
 from edesign.frame.footings import springs_under
 from edesign.frame.sections.own_section import own_section
 from edesign.project.building.building import Building
@@ -60,7 +62,7 @@ def space_frame(building: Building, design: bool = False) -> SpaceFrame:
         members=members,
         cases={},
         node_mass=np.zeros(len(nodes)),
-        own_sections={name: own_section(name, own) for name, own in building.sections.items()},
+        own_sections=_own_sections(building),
         diaphragms=tuple(layout.diaphragms),
         held=max(building.held_floors, default=0),
     )
@@ -90,6 +92,17 @@ def _supports(building: Building, nodes: Mapping[str, int]) -> tuple[np.ndarray,
 
 Ends = Mapping[str, tuple[int, int]]
 """Numbers of the start and end node of each member, by its name."""
+
+
+def _own_sections(building: Building) -> dict[str, SteelSection]:
+    """Return the sections of the file by name; an error has its place in the file."""
+    found = {}
+    for name, own in building.sections.items():
+        try:
+            found[name] = own_section(name, own)
+        except InputError as error:
+            raise InputError(f"{building.where('sections', name)}: sections.{name}: {error}") from error
+    return found
 
 
 def _columns(building: Building, ends: Ends) -> list[Member]:
