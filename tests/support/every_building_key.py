@@ -211,7 +211,7 @@ braces:
   - {along: x, frames: all, bays: 1, kind: rising, section: BRB12, material: core, law: brb}
   - {along: y, frames: all, bays: 1, kind: chevron, section: BRB12, material: core, law: brb}
 sections:
-  OLD: {height: 300 mm, web: 8 mm, angles: L90x60x8, outstanding: long, covers: {width: 200 mm, thickness: 8 mm}}
+  OLD: {height: 400 mm, web: 8 mm, angles: L150x100x12, outstanding: long, covers: {width: 320 mm, thickness: 8 mm}}
 materials: {S355: {fy: 355 MPa}, core: {fy: 235 MPa}}
 dampers:
   laws:
