@@ -14,6 +14,13 @@ NOT_CHECKED = (
 )
 
 
+_RESTRAINED = (
+    "They have the stiffness KF E A / L between work points, yield at A f_y both ways and do not buckle. Beams and "
+    "columns hold the adjusted strengths omega R_y P_ysc and beta omega R_y P_ysc of all braces of a direction at once "
+    "(AISC 341-16, F4.3). Gussets, and the stability of the braces out of their plane, are not checked."
+)
+
+
 def building_assumption_rows(building: Building) -> Rows:
     """Return a topic and its sentences for each assumption; those of the design are left out without one."""
     rows = [("Model", _model(building)), ("Floors", _floors(building)), ("Ground", _ground(building))]
@@ -25,6 +32,7 @@ def building_assumption_rows(building: Building) -> Rows:
             ("Analysis", _analysis(design)),
             ("Torsion", _torsion(building, design)),
             ("Imperfections and second order", _second_order(design)),
+            *([("Buckling-restrained braces", _RESTRAINED)] if any(run.law for run in building.braces) else []),
             ("Stability of members", _stability(design)),
             ("Not checked", rules_of(design).told(NOT_CHECKED)),
         ]

@@ -47,14 +47,19 @@ def combinations_table(results: BuildingResults) -> Table:
         alike.setdefault((row["set"], row["equation"], acting, *np.abs(row["seismic"])), []).append(row)
     labels: dict[tuple[str, ...], str] = {}
     rows = []
+    restrained = [number for number, case in enumerate(cases) if case.startswith("BRB ")]
+    by = "amplified by Omega" if restrained else "1.1 gamma_ov Omega"
     for several in alike.values():
         first = several[0]
         amplified = np.abs(first["seismic"]).max(initial=0.0) > 1.0
+        amplified_by = f", {by}" if amplified else ""
+        if np.any(np.asarray(first["static"])[restrained]):
+            amplified_by = ", BRB at adjusted strength"
         rows.append(
             {
                 "combination": _together([_terms(str(row["name"]), kinds) for row in several], labels),
                 "no.": _ranges([row.number + 1 for row in several]),
-                "situation": f"{first['set']}, 1.1 gamma_ov Omega" if amplified else first["set"],
+                "situation": f"{first['set']}{amplified_by}",
                 "EN 1990": first["equation"],
             }
         )

@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from building_examples import building, design_of, number_of
 from every_building_key import RESTRAINED
 
+from edesign.archive.reader import open_archive
 from edesign.codes.aisc341.buckling_restrained import RestrainedBrace, expected_deformation
 from edesign.core.member_checks import Check
 from edesign.core.space import PROPERTIES
 from edesign.errors import InputError
+from edesign.frame.building_file import load_building
 from edesign.frame.sections.building_sections import BuildingSections
 from edesign.frame.sections.section_lists import sections_of
 from edesign.frame.sections.steel_section import steel_section
 from edesign.project import parse_project
+from edesign.report.building.combination_table import combinations_table
+from edesign.report.building.results import BuildingResults
 from edesign.space.check import check_building
 from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign
 from edesign.space.extract import StudyNames, frame_row, project_text
@@ -23,6 +29,7 @@ from edesign.space.selection.groups import groups_of
 from edesign.space.structure.geometry import space_frame
 from edesign.space.structure.model import member_properties
 from edesign.study.analysis.structure import make_structure
+from edesign.study.run.building import run_building
 
 BRACED = """\
 edesign_building: 1
@@ -249,3 +256,13 @@ def test_extracted_frames_have_them_as_dampers() -> None:
     other = building(inverted)
     with pytest.raises(InputError, match="`v` is none of them.*E-DEVICE-04"):
         project_text(frame_row(other, space_frame(other), "YA"))
+
+
+def test_report_says_what_the_braces_bring(tmp_path: Path) -> None:
+    path = tmp_path / "building.yaml"
+    path.write_text(BRACED, encoding="utf-8")
+    archive = run_building(load_building(path)).archive
+    with open_archive(archive) as opened:
+        rows = combinations_table(BuildingResults(opened)).rows
+    situations = {str(row[2]) for row in rows}
+    assert {"seismic, amplified by Omega", "seismic, BRB at adjusted strength"} <= situations
