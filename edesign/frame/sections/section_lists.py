@@ -115,8 +115,8 @@ def sections_of(asked: str) -> tuple[SteelSection, ...]:
 
 
 def family_of(section: str) -> str:
-    """Return the family of a section: `HEB` of HEB300, `SHS` of SHS200x10."""
-    return section.rstrip("0123456789.x ").upper()
+    """Return the family of a section: `HEB` of HEB300, `SHS` of SHS200x10, `UPN` of 2UPN200x10."""
+    return section.lstrip("2 ").rstrip("0123456789.x ").upper()
 
 
 def efficient(

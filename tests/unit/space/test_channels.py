@@ -15,7 +15,7 @@ from edesign.errors import InputError
 from edesign.frame.sections.building_sections import BuildingSections
 from edesign.frame.sections.channels import channel, channel_names, gravity_centre, packing_distance, pair_name
 from edesign.frame.sections.section_class import section_class
-from edesign.frame.sections.section_lists import sections_of
+from edesign.frame.sections.section_lists import family_of, sections_of
 from edesign.frame.sections.steel_section import steel_section
 from edesign.space.extract import frame_row, project_text
 from edesign.space.structure.geometry import space_frame
@@ -62,7 +62,7 @@ def test_a_pair_by_parallel_axes() -> None:
     assert 1e4 * pair.A == pytest.approx(64.4, rel=2e-3) and 1e8 * pair.I_y == pytest.approx(3820.0, rel=3e-3)
     assert packing_distance("2UPN200x10") == pytest.approx(0.321, rel=3e-3)
     assert [of.name for of in sections_of("2UPN200x10")] == ["2UPN200x10"]
-    assert pair.axial_alone and pair.has_class
+    assert pair.axial_alone and pair.has_class and family_of(pair.name) == "UPN"
 
 
 def test_class_of_a_pair() -> None:
