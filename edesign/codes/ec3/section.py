@@ -63,6 +63,17 @@ class SteelSection:
     welded: bool = False
     parts: tuple[tuple[str, float, bool], ...] = ()
 
+    @classmethod
+    def of(cls, name: str, kind: Shape, **known: float) -> SteelSection:
+        """Return a section of which some properties are known.
+
+        Args:
+            known: by their names, SI; without them moduli and the shear areas of the clauses are nan, others 0.
+        """
+        unknown = dict.fromkeys(("A_vy", "A_vz", "W_el_y", "W_el_z", "W_pl_y", "W_pl_z"), math.nan)
+        none = dict.fromkeys(("h", "b", "tw", "tf", "r", "A", "A_y", "A_z", "I_y", "I_z", "I_t", "I_w"), 0.0)
+        return cls(name=name, kind=kind, cold_formed=False, **{**none, **unknown, **known})
+
     @property
     def has_class(self) -> bool:
         """Whether EN 1993-1-1 classifies it, and can check members of it."""

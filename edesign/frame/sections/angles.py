@@ -67,29 +67,9 @@ def angle(name: str) -> SteelSection:
         I_x, I_y, I_xy = I_x + own_x + area * y**2, I_y + own_y + area * x**2, I_xy + own_xy + area * x * y
     I_x, I_y, I_xy = I_x - S_x**2 / A, I_y - S_y**2 / A, I_xy - S_x * S_y / A
     mean, radius = 0.5 * (I_x + I_y), math.hypot(0.5 * (I_x - I_y), I_xy)
-    return SteelSection(
-        name=name,
-        kind="L",
-        cold_formed=False,
-        h=h,
-        b=b,
-        tw=t,
-        tf=t,
-        r=r_1,
-        A=A,
-        A_vy=math.nan,
-        A_vz=math.nan,
-        A_y=0.0,
-        A_z=0.0,
-        I_y=mean + radius,
-        I_z=mean - radius,
-        I_t=(h + b - t) * t**3 / 3.0,
-        I_w=0.0,
-        W_el_y=math.nan,
-        W_el_z=math.nan,
-        W_pl_y=math.nan,
-        W_pl_z=math.nan,
-    )
+    I_t = (h + b - t) * t**3 / 3.0
+    sizes = {"h": h, "b": b, "tw": t, "tf": t, "r": r_1}
+    return SteelSection.of(name, "L", **sizes, A=A, I_y=mean + radius, I_z=mean - radius, I_t=I_t)
 
 
 def leg_properties(name: str) -> tuple[float, float, float, float, float, float, float, float]:

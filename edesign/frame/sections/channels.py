@@ -74,7 +74,8 @@ def channel(name: str) -> SteelSection:
         name: of the catalogue.
     """
     h, b, tw, tf, r, A, I_y, I_z, _, W_pl_y = _row(name)
-    return _section(name, "U", (h, b, tw, tf, r), A, I_y, I_z, _torsion(h, b, tw, tf), W_pl_y)
+    sizes, I_t = {"h": h, "b": b, "tw": tw, "tf": tf, "r": r}, _torsion(h, b, tw, tf)
+    return SteelSection.of(name, "U", **sizes, A=A, I_y=I_y, I_z=I_z, I_t=I_t, W_el_y=2.0 * I_y / h, W_pl_y=W_pl_y)
 
 
 def gravity_centre(name: str) -> float:
@@ -101,8 +102,9 @@ def channel_pair(name: str) -> SteelSection:
     one, _, gap = name[1:].partition("x")
     h, b, tw, tf, r, A, I_y, I_z, centre, _ = _row(one)
     half = 0.5 * _MM * float(gap)
-    I_t = 2.0 * _torsion(h, b, tw, tf)
-    return _section(name, "2U", (h, b, tw, tf, r), 2.0 * A, 2.0 * I_y, 2.0 * (I_z + A * (centre + half) ** 2), I_t)
+    sizes, I_t = {"h": h, "b": b, "tw": tw, "tf": tf, "r": r}, 2.0 * _torsion(h, b, tw, tf)
+    across = 2.0 * (I_z + A * (centre + half) ** 2)
+    return SteelSection.of(name, "2U", **sizes, A=2.0 * A, I_y=2.0 * I_y, I_z=across, I_t=I_t)
 
 
 def packing_distance(name: str) -> float:
@@ -119,42 +121,6 @@ def packing_distance(name: str) -> float:
 
 def _torsion(h: float, b: float, tw: float, tf: float) -> float:
     return (2.0 * b * tf**3 + (h - 2.0 * tf) * tw**3) / 3.0
-
-
-def _section(
-    name: str,
-    kind: str,
-    sizes: tuple[float, float, float, float, float],
-    A: float,
-    I_y: float,
-    I_z: float,
-    I_t: float,
-    W_pl_y: float = math.nan,
-) -> SteelSection:
-    h, b, tw, tf, r = sizes
-    return SteelSection(
-        name=name,
-        kind=kind,  # type: ignore[arg-type]
-        cold_formed=False,
-        h=h,
-        b=b,
-        tw=tw,
-        tf=tf,
-        r=r,
-        A=A,
-        A_vy=math.nan,
-        A_vz=math.nan,
-        A_y=0.0,
-        A_z=0.0,
-        I_y=I_y,
-        I_z=I_z,
-        I_t=I_t,
-        I_w=0.0,
-        W_el_y=2.0 * I_y / h,
-        W_el_z=math.nan,
-        W_pl_y=W_pl_y,
-        W_pl_z=math.nan,
-    )
 
 
 def _row(name: str) -> tuple[float, ...]:

@@ -64,8 +64,9 @@ def own_section(
         return riveted_section(name, own)
     if isinstance(own, RectangleSection):
         return _stack(name, own)
-    return _other(
+    return SteelSection.of(
         name,
+        "other",
         A=own.area,
         A_y=own.weak_shear_area or 0.0,
         A_z=own.shear_area or 0.0,
@@ -123,41 +124,13 @@ def _thin_shear_area(H: float, B: float, t: float, across: float) -> float:
     return inertia**2 / (across * H**2 * B**3 / 24.0 + walls)
 
 
-def _other(
-    name: str, A: float, A_y: float, A_z: float, I_t: float, I_y: float, I_z: float, h: float = 0.0, b: float = 0.0
-) -> SteelSection:
-    """Return a section of a shape that no clause knows."""
-    return SteelSection(
-        name=name,
-        kind="other",
-        cold_formed=False,
-        h=h,
-        b=b,
-        tw=0.0,
-        tf=0.0,
-        r=0.0,
-        A=A,
-        A_vy=math.nan,
-        A_vz=math.nan,
-        A_y=A_y,
-        A_z=A_z,
-        I_y=I_y,
-        I_z=I_z,
-        I_t=I_t,
-        I_w=0.0,
-        W_el_y=math.nan,
-        W_el_z=math.nan,
-        W_pl_y=math.nan,
-        W_pl_z=math.nan,
-    )
-
-
 def _stack(name: str, own: RectangleSection) -> SteelSection:
     shape = rectangle_section(own, Fibres())
     upwards = [(s.centre - 0.5 * s.depth, s.centre + 0.5 * s.depth, s.width) for s in shape.strips]
     across = [(-0.5 * s.width, 0.5 * s.width, s.depth) for s in shape.strips]
-    return _other(
+    return SteelSection.of(
         name,
+        "other",
         h=shape.depth,
         b=max(strip.width for strip in shape.strips),
         A=shape.area,

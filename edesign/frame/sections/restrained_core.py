@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from functools import cache
 
 from edesign.codes.ec3.section import SteelSection
@@ -31,26 +30,4 @@ def core(name: str) -> SteelSection:
     Args:
         name: by `core_name`.
     """
-    return SteelSection(
-        name=name,
-        kind="BRB",
-        cold_formed=False,
-        h=0.0,
-        b=0.0,
-        tw=0.0,
-        tf=0.0,
-        r=0.0,
-        A=_CM2 * float(name.removeprefix(FAMILY)),
-        A_vy=math.nan,
-        A_vz=math.nan,
-        A_y=0.0,
-        A_z=0.0,
-        I_y=0.0,
-        I_z=0.0,
-        I_t=0.0,
-        I_w=0.0,
-        W_el_y=math.nan,
-        W_el_z=math.nan,
-        W_pl_y=math.nan,
-        W_pl_z=math.nan,
-    )
+    return SteelSection.of(name, "BRB", A=_CM2 * float(name.removeprefix(FAMILY)))

@@ -67,91 +67,52 @@ SECTIONS = TableSpec[SteelSection](
 )
 
 
-HOLLOW = TableSpec[SteelSection](
-    "hollow_sections",
-    "Hollow sections (lengths in mm, i in cm, A in cm2, I in cm4, W in cm3, kg/m)",
-    (
-        text("section", "name"),
-        _property("h", MM),
-        _property("b", MM),
-        _property("t", MM, "tw", digits=3),
-        _property("A", CM2),
-        _property("I_y", CM4),
-        _property("I_z", CM4),
-        _property("i_y", CM),
-        _property("i_z", CM),
-        _property("W_pl", CM3, "W_pl_y"),
-        _property("mass", Unit("kg/m"), digits=3),
-    ),
-    named_by_title=True,
+_CHANNEL = (
+    _property("h", MM),
+    _property("b", MM),
+    _property("t_w", MM, "tw", digits=3),
+    _property("t_f", MM, "tf", digits=3),
+    _property("A", CM2),
 )
-ANGLES = TableSpec[SteelSection](
-    "angles",
-    "Angles about u and v (lengths in mm, i in cm, A in cm2, I in cm4, mass in kg/m)",
-    (
-        text("section", "name"),
-        _property("h", MM),
-        _property("b", MM),
-        _property("t", MM, "tw", digits=3),
-        _property("r", MM, digits=3),
-        _property("A", CM2),
-        _property("I_u", CM4, "I_y"),
-        _property("I_v", CM4, "I_z"),
-        _property("i_u", CM, "i_y"),
-        _property("i_v", CM, "i_z"),
-        _property("mass", Unit("kg/m"), digits=3),
-    ),
-    named_by_title=True,
-)
+_INERTIAS = (_property("I_y", CM4), _property("I_z", CM4), _property("i_y", CM), _property("i_z", CM))
 
 
-def _channel(section: SteelSection) -> Quantity:
+def _table(name: str, title: str, *columns: Column[SteelSection]) -> TableSpec[SteelSection]:
+    """A table of sections of one shape, between their names and their masses."""
+    every = (text("section", "name"), *columns, _property("mass", Unit("kg/m"), digits=3))
+    return TableSpec[SteelSection](name, title, every, named_by_title=True)
+
+
+def _centroid(section: SteelSection) -> Quantity:
     """The place of the centroid of a single channel, from the back of its web."""
     return Quantity(gravity_centre(section.name), CM, form=".4g", beside=True)
 
 
-CHANNELS = TableSpec[SteelSection](
+HOLLOW = _table(
+    "hollow_sections",
+    "Hollow sections (lengths in mm, i in cm, A in cm2, I in cm4, W in cm3, kg/m)",
+    *(_property("h", MM), _property("b", MM), _property("t", MM, "tw", digits=3), _property("A", CM2)),
+    *(*_INERTIAS, _property("W_pl", CM3, "W_pl_y")),
+)
+ANGLES = _table(
+    "angles",
+    "Angles about u and v (lengths in mm, i in cm, A in cm2, I in cm4, mass in kg/m)",
+    *(_property("h", MM), _property("b", MM), _property("t", MM, "tw", digits=3), _property("r", MM, digits=3)),
+    *(_property("A", CM2), _property("I_u", CM4, "I_y"), _property("I_v", CM4, "I_z")),
+    *(_property("i_u", CM, "i_y"), _property("i_v", CM, "i_z")),
+)
+CHANNELS = _table(
     "channels",
     "Channels (sizes in mm, i and e from the back of the web in cm, cm2, cm4, kg/m)",
-    (
-        text("section", "name"),
-        _property("h", MM),
-        _property("b", MM),
-        _property("t_w", MM, "tw", digits=3),
-        _property("t_f", MM, "tf", digits=3),
-        _property("A", CM2),
-        _property("I_y", CM4),
-        _property("I_z", CM4),
-        _property("i_y", CM),
-        _property("i_z", CM),
-        col("e", CM, _channel, silent=True),
-        _property("mass", Unit("kg/m"), digits=3),
-    ),
-    named_by_title=True,
+    *(*_CHANNEL, *_INERTIAS, col("e", CM, _centroid, silent=True)),
 )
-PAIRS = TableSpec[SteelSection](
+PAIRS = _table(
     "channel_pairs",
     "Pairs of channels back to back (sizes of one in mm, i in cm, cm2, cm4, kg/m)",
-    (
-        text("section", "name"),
-        _property("h", MM),
-        _property("b", MM),
-        _property("t_w", MM, "tw", digits=3),
-        _property("t_f", MM, "tf", digits=3),
-        _property("A", CM2),
-        _property("I_y", CM4),
-        _property("I_z", CM4),
-        _property("i_y", CM),
-        _property("i_z", CM),
-        _property("mass", Unit("kg/m"), digits=3),
-    ),
-    named_by_title=True,
+    *(*_CHANNEL, *_INERTIAS),
 )
-CORES = TableSpec[SteelSection](
-    "restrained_cores",
-    "Cores of buckling-restrained braces (A in cm2, mass of the core in kg/m)",
-    (text("section", "name"), _property("A", CM2), _property("mass", Unit("kg/m"), digits=3)),
-    named_by_title=True,
+CORES = _table(
+    "restrained_cores", "Cores of buckling-restrained braces (A in cm2, mass of the core in kg/m)", _property("A", CM2)
 )
 _TABLES = {"I": SECTIONS, "RHS": HOLLOW, "CHS": HOLLOW, "L": ANGLES, "U": CHANNELS, "2U": PAIRS, "BRB": CORES}
 
