@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
 
 import numpy as np
@@ -26,7 +26,7 @@ from edesign.space.selection.ahead import Ahead
 from edesign.space.selection.groups import Group
 from edesign.space.selection.wishes import wishes_of
 from edesign.space.structure.design_block import MOMENT_FRAME, design_of, left_out, rules_of, system_of
-from edesign.space.structure.frame import AXES
+from edesign.space.structure.frame import AXES, Axis
 
 THETA, DRIFT, JOINTS, HOMOGENEOUS, SYMMETRIC = "4.4.2.2(3)", "4.4.3.2(1)", "4.4.2.3(4)", "6.7.3(8)", "6.7.1(3)"
 SLENDER = ("6.7.3(1)", "6.7.3(2)", "6.7.3(3)")
@@ -35,6 +35,8 @@ LINKS = ("6.8.2(4)", "6.8.2(6)", "6.8.2(7)", "6.8.2(10)")
 STRAINED = "AISC 341-16, F4.2"
 GRADUAL, NTC_ALONE = "4.2.3.3(3)", ("NTC 2018, 7.5.3.2", "NTC 2018, 7.5.5")
 
+RULES = (CLASS, COLUMN_BASES, SYMMETRIC, STRAINED, TORSION, GRADUAL, *NTC_ALONE)
+"""Clauses that are used as far as their criteria say."""
 FINITE = 1e6
 """What counts for an infinite utilisation, as of class 4 sections, so that sums stay numbers."""
 Choice = tuple[int, ...]
@@ -53,6 +55,8 @@ class Evaluation:
         excess: sum of max(u - 1, 0) over members, storeys, joints and diagonals.
         worst: the largest u.
         doublers: web panels that need a supplementary plate.
+        logs: (n,) log u of the checks of each group, and of each storey, joint and panel; then, for each direction
+            where they must be alike, log Omega of the diagonals.
     """
 
     choice: Choice
@@ -62,6 +66,7 @@ class Evaluation:
     excess: float
     worst: float
     doublers: int = 0
+    logs: np.ndarray = field(default_factory=lambda: np.zeros(0), compare=False, repr=False)
 
 
 class OutOfEvaluations(Exception):
@@ -78,6 +83,7 @@ class Evaluator:
         budget: how many choices may be asked for; None: any number.
         searched: clauses for the whole building that count.
         wishes: of the file.
+        alike: how many diagonals must have like Omega, by direction.
     """
 
     def __init__(self, analysis: ElasticAnalysis, groups: Sequence[Group], workers: int = 1) -> None:
@@ -90,6 +96,12 @@ class Evaluator:
         design = design_of(analysis.building)
         self.searched = searched_clauses(analysis) - left_out(design)
         self.wishes = wishes_of(design.select, analysis.frame, groups)
+        many = analysis.frame.n_floors > FEW_STOREYS or bool(rules_of(design).clauses)
+        self.alike = {  # how many diagonals must have like Omega
+            axis: analysis.dissipative[axis].size
+            for axis in AXES
+            if many and HOMOGENEOUS in self.searched and system_of(design, axis).type != MOMENT_FRAME
+        }
         self._each = design.select.prices_each
         names = [group.name for group in groups]
         self._group_of_members = np.array([names.index(member.group) for member in analysis.frame.members])
@@ -185,6 +197,31 @@ class Evaluator:
         """Return the rules for the building that a design does not meet and that the selection looks at."""
         return [rule for rule in design.criteria if rule.passed is False and rule.clause in self.searched]
 
+    def excess(self, design: ElasticDesign) -> tuple[float, float]:
+        """Return the sum of max(u - 1, 0) over members, storeys, joints, diagonals of a design, and the largest u."""
+        over = [np.minimum(values, FINITE) for values in utilisations(design, self.searched).values()]
+        every = np.concatenate(over)
+        return float(np.maximum(every - 1.0, 0.0).sum()), float(every.max())
+
+    def in_the_way(self, design: ElasticDesign) -> set[int]:
+        """Return the groups that have to do with what a design does not meet: their own checks, or broken rules."""
+        found = {int(self._group_of_members[n]) for n in np.flatnonzero((design.members.utilisation > 1.0).any(axis=1))}
+        for rule in self.broken(design):
+            axes = [axis for axis in AXES if axis_of(rule) in (axis, None)]
+            resisting = {int(self._group_of_members[n]) for axis in axes for n in self.analysis.dissipative[axis]}
+            columns = {place for place, group in enumerate(self.groups) if group.kind == "column"}
+            if rule.clause in (JOINTS, PANELS):
+                found |= self.weak_columns(design)
+            elif rule.clause in (CLASS, HOMOGENEOUS, SYMMETRIC, *SLENDER, *NTC_ALONE):
+                found |= resisting
+            elif rule.clause == COLUMN_BASES:
+                found |= columns
+            elif rule.clause == LIMITED:
+                found |= {place for place, group in enumerate(self.groups) if group.kind == "beam"}
+            else:  # drifts, second-order effects and regularity: all that stiffens the direction
+                found |= resisting | columns
+        return found
+
     def weak_columns(self, design: ElasticDesign) -> set[int]:
         """Return the groups of columns below joints where columns or web panels are too weak for the beams."""
         nodes: set[str] = set()
@@ -212,18 +249,34 @@ class Evaluator:
 
     def _evaluated(self, choice: Choice) -> Evaluation:
         design = self._design(choice)
-        over = [np.minimum(values, FINITE) for values in utilisations(design, self.searched).values()]
-        every = np.concatenate(over)
+        excess, worst = self.excess(design)
         met = not bool((design.members.utilisation > 1.0).any()) and not self.broken(design)
-        excess = float(np.maximum(every - 1.0, 0.0).sum())
         doublers = sum(panel.doubler > 0.0 for panel in design.panels)
         cost = self.cost(choice) + (self._each.doubler or 0.0) * doublers
-        return Evaluation(choice, self.mass(choice), cost, met, excess, float(every.max()), doublers)
+        return Evaluation(choice, self.mass(choice), cost, met, excess, worst, doublers, self._logs(design))
+
+    def _logs(self, design: ElasticDesign) -> np.ndarray:
+        use = dict(utilisations(design, self.searched))
+        of_members = np.nan_to_num(use.pop("members"), nan=0.0)
+        of_checks = np.nan_to_num(design.members.utilisation, nan=0.0)
+        of_groups = np.zeros((len(self.groups), of_checks.shape[1]))
+        np.maximum.at(of_groups, self._group_of_members, of_checks)
+        parts = [of_groups.ravel(), np.array([of_members.max()])]
+        for name, values in use.items():
+            if not name.startswith(HOMOGENEOUS):
+                parts.append(np.array([values.max(initial=0.0)]) if name in RULES else values)
+        parts += [design.overstrength[axis].ratios for axis in self.alike]
+        return np.log(np.clip(np.concatenate(parts), 1.0 / FINITE, FINITE)).astype(np.float32)
 
 
 def _evaluated_by(building: Building, groups: Sequence[Group]) -> Callable[[Choice], Evaluation]:
     """Return the evaluation of choices in another process, which begins with the sections of the file as this one."""
     return Evaluator(ElasticAnalysis(building), groups)._evaluated
+
+
+def axis_of(rule: RuleCheck) -> Axis | None:
+    """Return the direction that a rule for the building names; None if it names none."""
+    return next((axis for axis in AXES if f"direction {axis}" in rule.text), None)
 
 
 def searched_clauses(analysis: ElasticAnalysis) -> frozenset[str]:
@@ -297,7 +350,7 @@ def utilisations(design: ElasticDesign, clauses: frozenset[str]) -> Mapping[str,
             found[f"{SLENDER[1]} {axis}"] = steep / SLENDERNESS["diagonal"][1]
         if many or rules_of(block).clauses:
             found[f"{HOMOGENEOUS} {axis}"] = Omega.ratios / Omega.Omega / (1.0 + HOMOGENEITY)
-    for clause in (CLASS, COLUMN_BASES, SYMMETRIC, STRAINED, TORSION, GRADUAL, *NTC_ALONE):
+    for clause in RULES:
         rules = [rule for rule in design.criteria if rule.clause == clause and rule.passed is not None]
         found[clause] = np.array([rule.utilisation for rule in rules])
     counted = {"members", *clauses}

@@ -33,7 +33,7 @@ class Group:
         name: of the file.
         kind: column, beam or brace.
         material: name of its steel; with yield strengths by thickness that of the section in the file.
-        sections: names of those that it may have, the cheapest first.
+        sections: names of those that it may have, the cheapest first; that of the file if its lists have it.
         mass: (n_sections,) of all its members with each section, kg.
         cost: (n_sections,) that mass times its price, or the mass itself where that is to be least.
         area: (n_sections,) m2.
@@ -52,6 +52,16 @@ class Group:
     records: tuple[int, ...]
     stiffer: tuple[tuple[int, ...], ...]
     left_out: tuple[str, ...]
+
+    def nearest(self, section: SteelSection) -> int:
+        """Return the number of a section; of one off the list, of the cheapest that is as large and as stiff.
+
+        Where none is, it is the last one.
+        """
+        if section.name in self.sections:
+            return self.sections.index(section.name)
+        every = enumerate(map(steel_section, self.sections))
+        return next((k for k, of in every if of.A >= section.A and of.I_y >= section.I_y), len(self.sections) - 1)
 
 
 def groups_of(analysis: ElasticAnalysis) -> tuple[Group, ...]:
@@ -74,7 +84,7 @@ def _group(analysis: ElasticAnalysis, name: str) -> Group:
     depth = min((select.largest_depth[key] for key in (kinds, name) if key in select.largest_depth), default=math.inf)
     highest = _allowed_class(analysis, numbers)
     price, slender = _prices(analysis), _slender(analysis, name, numbers)
-    chosen, left_out = set[str](), list[str]()
+    chosen, left_out, given = set[str](), list[str](), frame.section(member.section).name
     restrained = frame.section(member.section).kind == "BRB"
     for place, text in enumerate(asked):
         try:
@@ -86,7 +96,8 @@ def _group(analysis: ElasticAnalysis, name: str) -> Group:
         fit = [of for of in whole if _fits(analysis, name, of.name, bent, highest) and slender(of)]
         left_out += [of.name for of in whole if of not in fit]
         spare = len(whole) > 1 and not (select.same_depth or select.most_sections)  # which a dominated one may serve
-        chosen |= {of.name for of in (efficient(fit, lambda of: of.A * price(of.name)) if spare else fit)}
+        kept = efficient(fit, lambda of: of.A * price(of.name)) if spare else fit
+        chosen |= {of.name for of in fit if of in kept or of.name == given}
     if not chosen:
         why = f"; of a class above {highest}, too thick, or of a wrong slenderness are {listed(left_out)}"
         why = why if left_out else ""

@@ -11,11 +11,13 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations, permutations, zip_longest
+from types import MappingProxyType
 
 from edesign.errors import InputError
 from edesign.space.designed import ElasticDesign
 from edesign.space.selection.evaluate import Choice, Evaluation, Evaluator, OutOfEvaluations
 from edesign.space.selection.groups import Group
+from edesign.space.selection.separable import Separable
 from edesign.space.selection.wishes import Exchange, Wishes
 from edesign.space.structure.frame import SpaceFrame
 
@@ -81,31 +83,38 @@ class Search:
         self._order = tuple(order)
         self._budget = budget
         self._progress = progress
-        self._at = (0, 0)  # number of the start, and how many there are at most
+        self._at = ""  # the start, in words
+        self._share = 0.0  # of the starts that are done
         self._told = 0  # evaluations by the last line
 
-    def run(self, starts: int, given: Choice | None = None) -> Found:
+    def run(self, starts: int, given: Mapping[str, Choice] = MappingProxyType({})) -> Found:
         """Search from some starts.
 
         Args:
             starts: how many points, the first of the lightest sections.
-            given: a choice to start from too, such as that of the file.
+            given: choices to start from first, by their names, such as that of the file: nothing worse is found.
         """
         best: Evaluation | None = None
         certified, fruitful = False, 0
-        points = starts + (given is not None)
+        points = starts + len(given)
         self._evaluate.budget = self._evaluate.count + self._budget
         try:
-            for number, point in enumerate(self._points(starts, given), 1):
-                self._at = number, points
-                climbed = self._climbed(point)
-                if not climbed.met:
-                    self._said("no choice found that meets all checks", ended=True)
-                    continue
-                fruitful += 1
-                self._said(f"all checks met with {climbed.mass / 1e3:.2f} t")
+            met: list[tuple[str, Evaluation]] = []
+            for done, (name, point) in enumerate(self._points(starts, given), 1):
+                self._at = name
+                climbed = self._climbed(self._approached(point))
+                self._share = 0.5 * done / points
+                if climbed.met:
+                    met.append((name, climbed))
+                    self._said(f"all checks met with {climbed.mass / 1e3:.2f} t")
+                else:
+                    self._said("no choice found that meets all checks")
+            fruitful = len(met)
+            for done, (name, climbed) in enumerate(sorted(met, key=lambda pair: pair[1].cost), 1):
+                self._at = name
                 lightest = self._descended(climbed)
-                self._said(f"{lightest.mass / 1e3:.2f} t", ended=True)
+                self._share = 0.5 + 0.5 * done / fruitful
+                self._said(f"{lightest.mass / 1e3:.2f} t")
                 if best is None or _less(lightest.cost, best.cost):
                     best, certified = lightest, True
             while (lighter := self._met(best)) is not None:  # that a start met on its way
@@ -116,44 +125,48 @@ class Search:
                 best, certified = lighter, False
         finally:
             self._evaluate.budget = None
-        known = [of for of in self._evaluate.all_known() if self._wishes.met(of.choice)] if best is None else []
+        known = [of for of in self._evaluate.all_known() if self._ordered(of.choice)] if best is None else []
         return Found(best or min(known, key=lambda of: (of.excess, of.cost, of.choice)), certified, fruitful)
 
     def _met(self, best: Evaluation | None) -> Evaluation | None:
         """The lightest choice found so far that meets all checks; None if it is not lighter than the best one."""
-        known = [of for of in self._evaluate.all_known() if self._wishes.met(of.choice)]
-        met = [of for of in known if of.met and (best is None or _less(of.cost, best.cost))]
+        lighter = [of for of in self._evaluate.all_known() if best is None or _less(of.cost, best.cost)]
+        met = [of for of in lighter if of.met and self._ordered(of.choice)]
         return min(met, key=lambda of: (of.cost, of.worst, of.choice), default=None)
 
-    def _said(self, what: str, ended: bool = False) -> None:
-        number, points = self._at
-        line = Line(f"start {number} of {points}: {what} ({self._evaluate.count} evaluations)")
-        line.share = (number if ended else number - 1) / points
+    def _said(self, what: str) -> None:
+        line = Line(f"{self._at}: {what} ({self._evaluate.count} evaluations)")
+        line.share = self._share
         self._told = self._evaluate.count
         self._progress(line)
 
     def _goes_on(self, what: str) -> None:
         """Say where the search is, if that was not said for many evaluations."""
-        if self._at[0] and self._evaluate.count >= self._told + SILENT:
+        if self._at and self._evaluate.count >= self._told + SILENT:
             self._said(what)
 
-    def _points(self, starts: int, given: Choice | None) -> Iterator[Evaluation]:
-        """What to climb from, each once: what members and joints need, from the lightest; then columns above that."""
-        sized = self._strengthened(self._sized(self.lightest()))
+    def _points(self, starts: int, given: Mapping[str, Choice]) -> Iterator[tuple[str, Evaluation]]:
+        """What to climb from, each once, with its name.
+
+        First the given choices; then what members and joints need, from the lightest; then columns above that.
+        """
         seen: set[Choice] = set()
+        for name, choice in given.items():
+            point = self.repaired(choice)
+            if point is not None and point not in seen:
+                seen.add(point)
+                yield name, self._evaluate(point)
+        self._at = ""
+        sized = self._strengthened(self._sized(self.lightest()))
         for k in range(starts):
             numbers = [
                 min(number + COLUMNS_ABOVE * k * (group.kind == "column"), len(group.sections) - 1)
                 for group, number in zip(self._groups, sized.choice, strict=True)
             ]
-            point = self._repaired(numbers)
+            point = self.repaired(numbers)
             if point is not None and point not in seen:
                 seen.add(point)
-                yield self._evaluate(point)
-        if given is not None and self._wishes.bind:
-            given = self._repaired(list(given))
-        if given is not None and given not in seen and self._ordered(given):
-            yield self._evaluate(given)
+                yield f"start {k + 1} of {starts}", self._evaluate(point)
 
     def lightest(self) -> Choice:
         """Return the lightest sections of the lists.
@@ -161,7 +174,7 @@ class Search:
         Raises:
             InputError: the lists have only larger columns above than below, or nothing that the wishes allow.
         """
-        found = self._repaired([0] * len(self._groups))
+        found = self.repaired([0] * len(self._groups))
         if found is None and self._wishes.bind:
             raise InputError(
                 "no sections of the lists were found that `same_depth`, `most_sections` and "
@@ -172,6 +185,23 @@ class Search:
                 "the sections of a group of columns are all larger than those of the group below it [E-SPACE-07]"
             )
         return found
+
+    def repaired(self, numbers: Sequence[int]) -> Choice | None:
+        """Make lower columns as large as those above them, and grant the wishes.
+
+        Each grows sections alone, so that they come to an end.
+
+        Args:
+            numbers: of the sections.
+
+        Returns:
+            The choice; None where the lists do not allow it.
+        """
+        ordered = self._in_order(list(numbers))
+        while ordered is not None and not self._wishes.met(ordered):
+            raised = self._wishes.raised(ordered)
+            ordered = None if raised is None else self._in_order(raised)
+        return ordered
 
     def lighter(self, base: Choice, wide: bool = False) -> dict[Choice, Exchange]:
         """Return the exchanges of a choice that are lighter, the lightest first: single and double ones; or wide ones.
@@ -195,17 +225,6 @@ class Search:
         return self._evaluate.cost(choice) if known is None else known.cost
 
     # --- points
-
-    def _repaired(self, numbers: list[int]) -> Choice | None:
-        """Make lower columns as large as those above them, and grant the wishes; None where the lists do not allow it.
-
-        Each grows sections alone, so that they come to an end.
-        """
-        ordered = self._in_order(numbers)
-        while ordered is not None and not self._wishes.met(ordered):
-            raised = self._wishes.raised(ordered)
-            ordered = None if raised is None else self._in_order(raised)
-        return ordered
 
     def _in_order(self, numbers: list[int]) -> Choice | None:
         for _ in range(len(self._groups)):  # from storey to storey
@@ -288,7 +307,7 @@ class Search:
             if best is not None and (found.excess, found.cost) >= (best.excess, best.cost):
                 return best
             best = found
-            sized = self._repaired(self._lightest(self._evaluate.design(point), point))
+            sized = self.repaired(self._lightest(self._evaluate.design(point), point))
             if sized is None:
                 return best
             point = sized
@@ -303,10 +322,10 @@ class Search:
             numbers = list(point.choice)
             for group in weak:
                 numbers[group] = next(iter(self._groups[group].stiffer[numbers[group]]), numbers[group])
-            raised = self._repaired(numbers)
+            raised = self.repaired(numbers)
             if raised is None or raised == point.choice:
                 break
-            grown = self._repaired(self._grown(self._evaluate.design(raised), raised))
+            grown = self.repaired(self._grown(self._evaluate.design(raised), raised))
             point = self._evaluate(raised if grown is None else grown)
             if (point.excess, point.cost) < (best.excess, best.cost):
                 best = point
@@ -336,6 +355,43 @@ class Search:
             use = self._evaluate.under_frozen_forces(design, tuple(numbers))
             growing = {group for group in growing if use[group] > 1.0 and numbers[group] < last[group]}
         return numbers
+
+    def _approached(self, base: Evaluation) -> Evaluation:
+        """Move to what a model of single exchanges proposes for all groups together, as long as that is better.
+
+        The model is made of the neighbours of the base in each group. When it has no more to propose it is made anew,
+        and then of the neighbours beyond these as well.
+        """
+        alike = self._evaluate.alike.values()
+        model = Separable(base, self._groups, alike, self._evaluate.cost, self._ordered)
+        sizes = 1
+        while True:
+            self._learnt(model, sizes)
+            better: Evaluation | None = None
+            while better is None and (choice := model.proposal()) is not None:
+                found = self._evaluate(choice)
+                if _better(found, model.base):
+                    better = found
+                else:
+                    model.refuse(found)
+            if better is not None:
+                sizes = 1
+                model.move(better)
+                self._goes_on(f"{better.mass / 1e3:.2f} t" + ("" if better.met else ", not all checks met"))
+            elif model.stale:
+                model.forget()
+            elif sizes < len(UP):
+                sizes += 1
+            else:
+                return model.base
+
+    def _learnt(self, model: Separable, sizes: int) -> None:
+        """Let a model know the neighbours of its base: of each group the next lighter and the next stiffer sections."""
+        base = model.base.choice
+        for group, number in enumerate(base):
+            for k in (*self._below(group, number, sizes), *self._groups[group].stiffer[number][:sizes]):
+                if not model.knows(group, k):
+                    model.learn(self._evaluate((*base[:group], k, *base[group + 1 :])), group)
 
     def _climbed(self, base: Evaluation) -> Evaluation:
         """Move to what lowers the excess most for its cost until all checks are met, or nothing lowers it.
@@ -381,7 +437,7 @@ class Search:
     def _after(self, base: Evaluation, move: Move) -> Choice | None:
         """The choice that a move leads to, with columns in order; None if there is none."""
         numbers = self._moved(base.choice, move)
-        choice = None if numbers is None else self._repaired(numbers)
+        choice = None if numbers is None else self.repaired(numbers)
         return None if choice == base.choice else choice
 
     def _of_move(self, base: Evaluation, move: Move) -> Evaluation | None:
@@ -393,7 +449,7 @@ class Search:
         if found is None:
             return None
         design = self._evaluate.design(found.choice)
-        choice = self._repaired(self._grown(design, found.choice))
+        choice = self.repaired(self._grown(design, found.choice))
         return found if choice is None else self._evaluate(choice)
 
     def _descended(self, base: Evaluation) -> Evaluation:
@@ -456,6 +512,13 @@ class Search:
 def _less(one: float, other: float) -> bool:
     """Say whether a cost is less by more than rounding of its sum."""
     return one < other * (1.0 - 1e-12)
+
+
+def _better(found: Evaluation, base: Evaluation) -> bool:
+    """Say whether a choice meets all checks for less; or, where the other one misses some, is nearer to them."""
+    if base.met:
+        return found.met and _less(found.cost, base.cost)
+    return found.met or found.excess < base.excess * (1.0 - 1e-9)
 
 
 def _gain(base: Evaluation, found: Evaluation | None) -> float:

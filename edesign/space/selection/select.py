@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,7 +16,7 @@ from edesign.project.notation.printed_unit import told_apart
 from edesign.project.reading.values import KeyPath
 from edesign.space.designed import ElasticDesign
 from edesign.space.elastic_design import ElasticAnalysis, elastic_design
-from edesign.space.selection.evaluate import Choice, Evaluator
+from edesign.space.selection.evaluate import HOMOGENEOUS, Choice, Evaluation, Evaluator, axis_of
 from edesign.space.selection.groups import Group, groups_of
 from edesign.space.selection.search import Found, Listener, Search, column_order
 from edesign.space.structure.design_block import design_of
@@ -133,13 +133,15 @@ def select_sections(building: Building, progress: Listener = lambda line: None, 
             search.lightest()
         except InputError as error:
             raise InputError(f"{building.where('design', 'select')}: design.select: {error}") from error
-        given, free = _choice(groups, before), None
+        given, free = {"sections of the file": _nearest(analysis, groups)}, None
+        for line in _replaced(groups, before, search.repaired(given["sections of the file"])):
+            progress(line)
         try:
             if evaluate.wishes.bind:
                 progress("without the wishes:")
                 without = Search(evaluate, order, select.evaluations, progress, evaluate.wishes.free)
                 free = without.run(select.starts, given)
-                given = free.best.choice
+                given["choice without the wishes"] = free.best.choice
                 progress("with the wishes:")
             found = search.run(select.starts, given)
         finally:
@@ -181,11 +183,21 @@ def _sections(analysis: ElasticAnalysis, groups: Sequence[Group]) -> dict[str, s
     return {group.name: given[group.name] for group in groups}
 
 
-def _choice(groups: Sequence[Group], sections: dict[str, str]) -> Choice | None:
-    """Sections as numbers in the lists; None if one is in no list."""
-    if any(sections[group.name] not in group.sections for group in groups):
-        return None
-    return tuple(group.sections.index(sections[group.name]) for group in groups)
+def _nearest(analysis: ElasticAnalysis, groups: Sequence[Group]) -> Choice:
+    """The sections of the file as numbers in the lists, the nearest ones where they are on none."""
+    given = {member.group: analysis.frame.section(member.section) for member in analysis.frame.members}
+    return tuple(group.nearest(given[group.name]) for group in groups)
+
+
+def _replaced(groups: Sequence[Group], before: Mapping[str, str], start: Choice | None) -> Iterator[str]:
+    """Yield a line that says where the search does not begin with the sections of the file."""
+    if start is None:
+        yield "the sections of the file are no start: the lists have no order of columns or no wish granted near them"
+        return
+    taken = [(group, group.sections[number]) for group, number in zip(groups, start, strict=True)]
+    changed = [f"{of.name} {name} for {before[of.name]}" for of, name in taken if name != before[of.name]]
+    if changed:
+        yield f"start from the sections of the file, but for what its lists and wishes exclude: {', '.join(changed)}"
 
 
 def _selection(
@@ -271,11 +283,11 @@ def _held_by(evaluate: Evaluator, order: Sequence[tuple[int, int]], choice: Choi
 
 
 def _broken(evaluate: Evaluator, design: ElasticDesign) -> list[str]:
-    """The checks that a design does not meet, in words: rules for the building, then the worst groups."""
+    """The checks that a design does not meet, in words: the worst groups, then rules for the building."""
     rules = [
         f"{rule.text}{f' ({rule.detail})' if rule.detail else ''}: "
         f"{', limit '.join(told_apart(rule.value, rule.required, lambda of, digits: f'{of:.{digits}g}'))} "
-        f"({rule.reference})"
+        f"({rule.reference}){_of_diagonals(design, rule)}"
         for rule in evaluate.broken(design)
     ]
     checks = [(group, governing_check(design, group.name)) for group in evaluate.groups]
@@ -283,24 +295,53 @@ def _broken(evaluate: Evaluator, design: ElasticDesign) -> list[str]:
     return [*(f"{group.name}: {check}" for group, check in failing), *rules]
 
 
+def _of_diagonals(design: ElasticDesign, rule: RuleCheck) -> str:
+    """Omega of the groups of diagonals where it differs too much, with the diagonal that has it."""
+    if rule.clause != HOMOGENEOUS:
+        return ""
+    found = []
+    for Omega in (of for axis, of in design.overstrength.items() if axis_of(rule) == axis):
+        least: dict[str, tuple[float, str]] = {}
+        for number, ratio in zip(Omega.members, Omega.ratios, strict=True):
+            member = design.frame.members[number]
+            least[member.group] = min(least.get(member.group, (math.inf, "")), (float(ratio), member.name))
+        found += [f"{ratio:.2f} of {group} {name}" for group, (ratio, name) in least.items()]
+    return f"; Omega is {', '.join(found)}"
+
+
 def _in_the_way(building: Building, evaluate: Evaluator, found: Found) -> str:
     where = f"{building.where('design', 'select')}: design.select"
-    best = found.best
-    used = f"{evaluate.count} evaluations"
+    best, allowed = found.best, design_of(building).select.evaluations
     design = evaluate.design(best.choice)
     sections = evaluate.sections(best.choice)
+    concerned = evaluate.in_the_way(design)
     heaviest = [
         f"{group.name} has {group.sections[-1]}, the heaviest of its list"
-        for group, number in zip(evaluate.groups, best.choice, strict=True)
-        if number == len(group.sections) - 1
+        for place, (group, number) in enumerate(zip(evaluate.groups, best.choice, strict=True))
+        if number == len(group.sections) - 1 and place in concerned
     ]
     lines = [
-        f"{where}: no sections of the lists were found that meet all checks ({used}); the nearest, "
-        f"{best.mass / 1e3:.1f} t of steel, are {', '.join(f'{name} {of}' for name, of in sections.items())}",
+        f"{where}: the search found no sections of the lists that meet all checks ({evaluate.count} designs analysed), "
+        f"which is no proof that there are none; the nearest, {best.mass / 1e3:.1f} t of steel, are "
+        f"{', '.join(f'{name} {of}' for name, of in sections.items())}",
         *(f"in the way: {text}" for text in _broken(evaluate, design)),
         *heaviest,
+        *_nearer(evaluate, best),
         "its evaluations are used up; allow more by `evaluations` [E-SPACE-07]"
-        if evaluate.count >= design_of(building).select.evaluations
+        if evaluate.count >= allowed
         else "give longer lists, more groups, or leave a rule for the building out by `leave_out` [E-SPACE-07]",
     ]
     return "\n  ".join(lines)
+
+
+def _nearer(evaluate: Evaluator, best: Evaluation) -> list[str]:
+    """Say if the sections of the file, which the lists exclude, miss the checks by less than the nearest ones."""
+    design = evaluate.analysis.design(least_sway=True)
+    excess, _ = evaluate.excess(design)
+    if excess >= best.excess:
+        return []
+    broken = "; ".join(_broken(evaluate, design)) or "none is missed"
+    return [
+        f"the sections of the file are nearer, but its lists or wishes exclude some: checks are missed by {excess:.3g} "
+        f"in sum, by the nearest by {best.excess:.3g}; of the file: {broken}"
+    ]
