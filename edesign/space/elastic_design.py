@@ -38,7 +38,7 @@ from edesign.space.building_criteria import building_criteria, q_without_dissipa
 from edesign.space.checks.capacity import dissipative_members, joints, overstrength
 from edesign.space.checks.column_bases import hinged_bases
 from edesign.space.checks.foundations import foundation_factors, foundations, supports
-from edesign.space.checks.links import links, overstrength_of_links
+from edesign.space.checks.links import beside_links, links, overstrength_of_links
 from edesign.space.checks.member_checks import LARGEST_CLASS, MemberChecker
 from edesign.space.checks.regularity import regularity, shape
 from edesign.space.checks.restrained_braces import hardening_of
@@ -332,6 +332,7 @@ class ElasticAnalysis:
         )
         by_ntc = bool(self._class_of_use)
         notes = design_notes(designed, self.building, self._national, rows.seismic[0], self._vertical, by_ntc)
+        notes += [text for axis in of_links for text in beside_links(of_links[axis], design, most[axis])]
         return replace(
             designed,
             criteria=tuple(map(self._rules.rule, criteria)),

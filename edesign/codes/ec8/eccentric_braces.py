@@ -209,8 +209,9 @@ def link_stiffeners(
         t_w: thickness of the web, m.
         d: depth of the section, m.
 
-    Source: EN 1998-1:2004, 6.8.2(11) and (12); the same rules stand in AISC 341-16, F3.5b(4). NTC 2018, 7.5.6, gives
-        the distance 1.5 b, the thickness, width and side of these stiffeners alone.
+    Source: EN 1998-1:2004, 6.8.2(11) and (12). IS 18168:2023, 11.4, has the same at the ends and at 0.08 rad, NTC
+        2018, 7.5.6, the same 1.5 b, thickness, width and side. Of 52 t_w - d/5 at 0.02 rad, and of no stiffeners
+        beyond 5 M_p / V_p, as in AISC 341, no public text could be read.
     """
     check_positive(e=e, b=b, t_w=t_w, d=d)
     spacing, flange = float("inf"), 0.0

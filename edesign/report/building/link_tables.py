@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from edesign.codes.rule_check import UNREAD
 from edesign.report.building.results import BuildingResults, Row
 from edesign.report.tables.column import col, count, text
 from edesign.report.tables.table import Table, TableSpec
@@ -51,7 +52,8 @@ LINK_DETAILS = TableSpec[Row](
         "thickness, width of each, and at how many sides of the web (6.8.2(11) and (12)); intermediate and long links "
         "have one at 1.5 b_f from either end among them. held: force on the lateral supports of both flanges at the "
         "ends (6.8.2(14)). A link has one web plate without doubler and without hole (6.8.2(1)). Its connections, and "
-        "those of the members that have it, resist E_d,G + 1.1 gamma_ov Omega_i E_d,E (6.8.4(1))",
+        "those of the members that have it, resist E_d,G + 1.1 gamma_ov Omega_i E_d,E (6.8.4(1)). Distances below "
+        f"0.08 rad, and `held`: {UNREAD[0].lower()}{UNREAD[1:]}",
     ),
     formulas=True,
 )

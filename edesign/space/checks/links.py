@@ -23,6 +23,7 @@ from edesign.codes.rule_check import RuleCheck, at_most, first_of_largest
 from edesign.errors import InputError
 from edesign.frame.sections.steel_section import SteelSection
 from edesign.project.building.building import Building, Steel
+from edesign.project.building.design import Design
 from edesign.space.analysis.storeys import Storeys
 from edesign.space.checks.capacity import Overstrength
 from edesign.space.file_places import keys_of_member
@@ -186,6 +187,23 @@ def overstrength_of_links(of: Sequence[Link], members: np.ndarray, axis: Axis) -
     ratios = np.array([link.Omega for link in of])
     least = first_of_largest(-ratios)
     return Overstrength(axis, members, ratios, float(ratios[least]), of[least].member)
+
+
+def beside_links(of: Sequence[Link], design: Design, q: float) -> list[str]:
+    """Return a remark on beams beside links that have the effects of a building that does not dissipate energy.
+
+    Args:
+        of: links of one direction; none of another system.
+        design: with gamma_ov, and the effects on these beams.
+        q: behaviour factor of the direction.
+    """
+    factor = OVERSTRENGTH * design.overstrength * min((link.Omega for link in of), default=0.0)
+    if factor <= q or design.members.beams_beside_links == "seismic" or design.ductility_class == "low":
+        return []
+    return [
+        f"1.1 gamma_ov Omega of links along {of[0].axis} is {factor:.3g}, and counts as q = {q:.3g}: what stands beside "
+        "them resists as without dissipation; shorter links, or `beams_beside_links: seismic`, let links be weaker"
+    ]
 
 
 def link_criteria(of: Sequence[Link], overstrength: float) -> list[RuleCheck]:

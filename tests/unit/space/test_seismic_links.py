@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -276,3 +277,13 @@ def test_sections_of_links_are_chosen() -> None:
 
 def test_the_search_looks_at_the_rules_of_links() -> None:
     assert set(LINKS) <= searched_clauses(ElasticAnalysis(_made()))
+
+
+def test_the_office_of_the_docs_meets_all_checks() -> None:
+    """Its links: IPE220 of S355 in the middle of spans, V_p = 355 / 1.732 . 5.9 . 210.8 = 254.9 kN, M_p = 75.7 kN m."""
+    page = (Path(__file__).parents[3] / "docs" / "how_to" / "eccentric_bracings.md").read_text(encoding="utf-8")
+    found = design_of(page.partition('```yaml title="office.yaml"\n')[2].partition("```")[0])
+    assert found.passed and len(found.links) == 12
+    link = next(link for link in found.links if link.member == "BX_1_2_1_2")
+    assert (link.V_p, link.M_p) == pytest.approx((254.9e3, 75.7e3), rel=1e-3)
+    assert not any("gamma_ov Omega of links" in note for note in found.notes)
