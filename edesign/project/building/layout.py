@@ -414,7 +414,6 @@ def link_node(place: BeamPlace, number: int) -> str:
     """Return the name of a node at an end of a seismic link: `BX_2_1_5.1`.
 
     Args:
-        place: of the beam.
         number: of the node along the beam, from 1.
     """
     return f"{place}.{number}"
@@ -424,7 +423,6 @@ def met_end(run: BraceRun, way: str) -> int:
     """Return which of the nodes of a beam with a link a brace meets, from 1.
 
     Args:
-        run: of the brace.
         way: `r` rising, `f` falling.
     """
     left = {"chevron": "r", "v": "f"}.get(run.kind, way)

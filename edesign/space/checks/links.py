@@ -180,7 +180,6 @@ def overstrength_of_links(of: Sequence[Link], members: np.ndarray, axis: Axis) -
     Args:
         of: links of this direction.
         members: (n,) their numbers.
-        axis: direction.
 
     Source: EN 1998-1:2004, 6.8.3(1); NTC 2018, 7.5.6.
     """
@@ -201,7 +200,7 @@ def beside_links(of: Sequence[Link], design: Design, q: float) -> list[str]:
     if factor <= q or design.members.beams_beside_links == "seismic" or design.ductility_class == "low":
         return []
     return [
-        f"1.1 gamma_ov Omega of links along {of[0].axis} is {factor:.3g}, and counts as q = {q:.3g}: what stands beside "
+        f"1.1 gamma_ov Omega of links along {of[0].axis} is {factor:.3g}, and counts as q = {q:.3g}: what is beside "
         "them resists as without dissipation; shorter links, or `beams_beside_links: seismic`, let links be weaker"
     ]
 
