@@ -10,6 +10,7 @@ from edesign.project.actions.hazard import NtcHazard
 from edesign.project.actions.hazard_base import YEAR
 from edesign.project.building.building import Building
 from edesign.project.building.design import Design, Drift
+from edesign.project.building.members import BraceRun
 from edesign.report.building.results import BuildingResults
 from edesign.space.structure.design_block import design_of, rules_of, system_of
 from edesign.space.structure.frame import AXES
@@ -37,7 +38,8 @@ def building_rows(building: Building) -> Rows:
     for kind in ("columns", "beams", "braces"):
         groups: dict[str, str] = {}
         for run in getattr(building, kind):
-            groups.setdefault(run.group, f"{run.group} {run.section} {run.material}")
+            link = f" with links of {run.link:g} m" if isinstance(run, BraceRun) and run.link is not None else ""
+            groups.setdefault(run.group, f"{run.group} {run.section} {run.material}{link}")
         if groups:
             rows.append((kind.capitalize(), ", ".join(groups.values())))
     return rows

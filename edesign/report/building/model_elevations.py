@@ -30,6 +30,7 @@ from edesign.space.structure.frame import Member, SpaceFrame
 
 _EQUAL = 1.0 - 1e-9  # a square or round column has no weak axis: its I_z is I_y but for rounding
 WIDTH = 6.6  # of the legend, inches
+_LINK = 3.6  # width of the line of a seismic link, points
 
 
 def model_elevations(
@@ -117,6 +118,9 @@ def _draw(sheet: Sheet, building: Building, frame: SpaceFrame, along: Direction,
     draw_axes(sheet, grid)
     for kinds, width in (("column beam", 1.6), ("brace", 1.1)):
         sheet.lines([ends[one.name] for one in members if one.kind in kinds.split()], width=width)
+    at = frame.coordinates
+    links = {one.name: short(math.dist(at[one.start], at[one.end])) for one in members if one.link}
+    sheet.lines([ends[name] for name in links], width=_LINK)
     if building.isolation is None:
         entries = _supports(sheet, grid, building, along, number)
     else:
@@ -130,6 +134,9 @@ def _draw(sheet: Sheet, building: Building, frame: SpaceFrame, along: Direction,
         resting = any(one.kind == "brace" and not one.compression for one in members)
         what = ", those that are compressed do not count" if resting else ""
         entries.append(Entry(f"braces have pinned ends{what}"))
+    if links:
+        text = f"seismic link, e = {', '.join(sorted(set(links.values())))} m"
+        entries.append(Entry(text, lambda on, x, y: on.line((x, y), (x + 0.28, y), width=_LINK)))
     shapes = {one.section: frame.section(one.section) for one in members}
     weak = {
         one.name
@@ -232,7 +239,7 @@ def _sections(sheet: Sheet, members: Sequence[Member], ends: dict[str, Line], we
     beams = sorted((one for one in members if one.kind == "beam"), key=lambda one: middle(one)[::-1])
     for (y, text), run in groupby(beams, key=lambda one: (middle(one)[1], words(one))):
         alike = list(run)
-        xs = [middle(one)[0] for one in alike]
+        xs = [middle(one)[0] for one in alike if not (one.link and {*one.part} & {0.0, 1.0})]  # not beside a column
         order = sorted(xs, key=lambda x: abs(x - float(np.mean(xs))))
         sides = (("bottom", 0.025), ("top", -0.03))
         spots = [Spot(x + d, y + dy, "center", va) for va, dy in sides for d in (0.0, 0.15) for x in order]
