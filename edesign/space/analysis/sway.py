@@ -86,6 +86,7 @@ class SwayAnalysis:
         ] = {  # columns of the lowest storey that sways, as places among columns, in each plane frame along an axis
             axis: [np.array(row) for name, row in of_frames.items() if name.startswith(axis.upper())] for axis in AXES
         }
+        self._beside_links = _beside_links(frame)
         down = -sum(on_nodes(frame, case)[:, 2] for case in frame.cases.values())
         loaded = np.where(frame.level_of_nodes > frame.held, np.maximum(down, 0.0), 0.0)
         self._mass = loaded if (loaded[frame.node_mass == 0.0] > 0.0).any() else None
@@ -116,7 +117,8 @@ class SwayAnalysis:
         if self._mass is not None:  # some loads hang on nodes without mass, which modes leave at rest
             mass, modes = self._mass, model.modes(self._mass)
         factors = np.array([[row.static.get(case, 0.0) for case in static.names] for row in combinations])
-        compression = -factors @ static.internal[:, frame.columns, STATIONS.size // 2, 0]
+        N = static.internal[:, :, STATIONS.size // 2, 0]
+        compression = -factors @ (N[:, frame.columns] + N @ self._beside_links.T)
         axial = np.zeros((len(combinations), len(frame.members)))
         axial[:, frame.columns] = -compression
         alpha_cr, levels = np.zeros((len(combinations), 3)), frame.level_of_nodes
@@ -183,6 +185,26 @@ class SwayAnalysis:
         internal = model.internal(model.static(nodal).end_forces, STATIONS)
         alone = np.where(frame.in_compression, 1.0, 1.0 / TENSION_ONLY_SHARE)  # as under the seismic action
         return replace(found, cases=tuple(cases), internal=internal * alone[:, None, None], rows=tuple(rows))
+
+
+def _beside_links(frame: SpaceFrame) -> np.ndarray:
+    """Return what braces beside seismic links, which carry vertical loads, add to columns, (n_columns, n_members).
+
+    It is the vertical component of a unit of their force, on the column of their storey that ends where they end.
+    """
+    found = np.zeros((frame.columns.size, len(frame.members)))
+    ends = {
+        (frame.storey[number], at, node): place
+        for place, number in enumerate(frame.columns)
+        for at, node in enumerate((frame.members[number].start, frame.members[number].end))
+    }
+    for number, member in enumerate(frame.members):
+        if member.kind == "brace" and member.eccentric:
+            rise = frame.coordinates[member.end, 2] - frame.coordinates[member.start, 2]
+            for at, node in enumerate((member.start, member.end)):
+                if (place := ends.get((frame.storey[number], at, node))) is not None:
+                    found[place, number] = rise / frame.length[number]
+    return found
 
 
 def critical_factors(

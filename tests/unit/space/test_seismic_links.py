@@ -14,6 +14,7 @@ from edesign.errors import InputError
 from edesign.frame.sections.steel_section import steel_section
 from edesign.project.building import Building
 from edesign.space.analysis.effects import largest
+from edesign.space.analysis.sway import SwayAnalysis
 from edesign.space.checks.links import link_criteria
 from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign
 from edesign.space.extract.plane_frame import plane_frame
@@ -78,6 +79,15 @@ def test_braces_beside_links_carry_gravity() -> None:
     up = G[brace, 0, 0] * 4.0 / math.hypot(2.7, 4.0)
     assert up < -10e3
     assert abs(G[beam, -1, 2] - G[link, 0, 2]) == pytest.approx(-up, rel=1e-9)
+
+
+def test_sway_counts_what_braces_beside_links_carry(split_k: ElasticDesign) -> None:
+    """Columns and braces carry the whole load of the roof, 5 and 2 kN/m2 on 48 m2 (1e-9)."""
+    frame, static = split_k.frame, split_k.static
+    sway = SwayAnalysis(frame, True)
+    N = static.internal[:, :, 3, 0]
+    down = -(N[:, frame.columns] + N @ sway._beside_links.T).sum(axis=1)
+    assert dict(zip(static.names, down, strict=True)) == pytest.approx({"G": 240e3, "Q": 96e3}, rel=1e-9)
 
 
 def test_rules_of_a_link_by_hand(split_k: ElasticDesign) -> None:
