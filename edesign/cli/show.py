@@ -107,7 +107,12 @@ def _tables(opened: Archive, member: str, analysis: str | None) -> list[Table]:
     """The checks of a member in the design of a building, and under the forces of analyses, as far as there are any."""
     if analysis is not None or not has_members(opened):
         return loaded_member_tables(opened, member, analysis)
-    found = member_tables(building_results(opened), member)
+    try:
+        found = member_tables(building_results(opened), member)
+    except InputError:
+        with suppress(InputError):  # halves of beams that dampers meet are in analyses alone
+            return loaded_member_tables(opened, member)
+        raise
     with suppress(InputError):
         found += loaded_member_tables(opened, member)
     return found

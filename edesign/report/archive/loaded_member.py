@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 
@@ -23,9 +23,10 @@ from edesign.frame.sections.section_class import section_class
 from edesign.ground_motion.hazard import rules_in_force
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.notation.names import member_kind
+from edesign.project.project import Project
 from edesign.project.reading.problems import did_you_mean
 from edesign.report.archive_view import all_results
-from edesign.report.archived import archived_base, archived_study
+from edesign.report.archived import archived_base, archived_frame, archived_study
 from edesign.report.assessment.measure_tables import label
 from edesign.report.building.checks import CALCULATION, SAME, WorkedCheck, worked_data
 from edesign.report.tables.column import col, count, text
@@ -114,6 +115,7 @@ class Followed:
         found: its use by the calculation.
         forces: along the member.
         known: places of these that are of one step.
+        axial: what is to be known of the axial force; "" nothing.
         steps: of the calculation, which leads to the archived use; none if it does not.
     """
 
@@ -127,6 +129,7 @@ class Followed:
     found: float
     forces: ForcesAlong
     known: slice
+    axial: str
     steps: tuple[Step, ...]
 
 
@@ -144,15 +147,18 @@ def loaded_member_tables(archive: Archive, name: str, analysis: str | None = Non
     rows, followed = _of_member(archive, name, analysis)
     said = ["Use: by the rule of the code over several motions."] if any(row.number > 1 for row in rows) else []
     said += ["Below: the analysis with the largest; another one by --analysis."] if len(rows) > 1 else []
-    notes = wrapped(" ".join(said))
+    notes = wrapped(" ".join([*said, *_elastic(archived_frame(archive), name)]))
     at = f"{followed.at:.4g} {followed.unit}".strip()
     known, along = followed.known, followed.forces
     places = [
         _Place(float(place), tuple(forces))
         for place, forces in zip(along.stations[known], along.steady[known].tolist(), strict=True)
     ]
-    other = () if len(places) > 1 else ("The other end has its largest use in another step.",)
-    forces = CONCURRENT.of(places, whose=name, history=followed.history, at=at, notes=other)
+    told = [followed.axial] if followed.axial else []
+    told += [] if len(places) > 1 else ["The other end has its largest use in another step."]
+    forces = CONCURRENT.of(
+        places, whose=name, history=followed.history, at=at, notes=wrapped(" ".join(told)) if told else []
+    )
     return [UNDER.of(rows, whose=name, notes=notes), forces, _calculation(followed, at)]
 
 
@@ -183,6 +189,30 @@ def loaded_member_data(archive: Archive, name: str, analysis: str | None = None)
         "forces": {"x_over_L": along.stations[known].tolist(), **forces},
         "calculation": worked_data(_worked(followed)),
     }
+
+
+def _elastic(frame: Project | None, name: str) -> Iterator[str]:
+    """What the elastic design of the building found for a member, in words."""
+    of = None if frame is None or frame.design is None else frame.design.elastic_use.get(name)
+    if of is None:
+        return
+    yield f"In the elastic design of the building {of.use:.2f} by {of.check} under {of.combination}."
+    if of.across is not None:
+        yield (
+            f"It belongs to the bracing of {', '.join(of.across.frames)}, where the seismic action across adds "
+            f"{of.across.N / 1e3:.4g} kN of compression, which is not in these uses."
+        )
+
+
+def _axial(group: Group, name: str, forces: ForcesAlong) -> str:
+    """Where the axial force of a beam comes from, or that it has none."""
+    if member_kind(name) != "beam":
+        return ""
+    if "collector" in group.coords and name in {str(one) for one in group.coords["collector"].values}:
+        return "N by equilibrium of the floor, from dampers, braces and columns."
+    if np.abs(forces.steady[:, 0]).max() > 1.0:  # N, beyond rounding
+        return ""
+    return "N = 0: neither damper nor brace meets the line of this beam, and its floor is rigid."
 
 
 def _of_member(archive: Archive, name: str, analysis: str | None) -> tuple[list[_Row], Followed]:
@@ -281,6 +311,7 @@ def follow(file: AnalysisFile, group: Group, history: str, name: str) -> Followe
         found[check],
         forces,
         known,
+        _axial(group, name, forces),
         tuple(trace.steps) if same else (),
     )
 

@@ -151,6 +151,34 @@ def test_a_column_of_a_bracing_across_is_judged_with_its_compression_too() -> No
     assert np.isnan(of(found, "across_use_max", "C_B_1")) and "member_use_max" not in found.variables
 
 
+def test_the_damper_of_a_chevron_in_a_history_is_in_its_beam() -> None:
+    """N jumps in the middle of the beam by the force of the damper then, and the calculation leads to the use.
+
+    At the top floor columns and damper hold what the floor brings evenly: at its ends the beam has the shears of the
+    columns, left and right of the middle these and half of what the floor brings.
+    """
+    text = PORTAL.replace("    - {lines: B, storeys: all, section: HEB300, material: S275, axis: weak}\n", "")
+    text = text.replace("lines: A,", "lines: all,").replace("materials:", "  diaphragms: all\nmaterials:")
+    laws = "laws: {oil: {type: viscous, parameters: {c: 3000 kN*s/m}}}"
+    devices = "devices: [{storeys: all, bays: 1, kind: chevron, law: oil, brace: rigid, number: 1}]"
+    text = text.replace("records:", f"dampers:\n  {laws}\n  {devices}\nrecords:")
+    file = project(text.replace("histories: [supports]", "histories: [dampers]").replace("C_B_1, B", "C_A_2, C_B_2, B"))
+    group = run_analysis(file, file.analyses[1])
+    time = group.coords["time"].values
+    recorded = [str(one) for one in group.coords["recorded_member"].values]
+    for floor in (1, 2):
+        step = int(np.flatnonzero(time == of(group, "member_use_at", f"B_1_{floor}"))[0])
+        force = float(group.variables["damper_force"].values[step, floor - 1])
+        left, right = of(group, "member_use_axial_force_middle", f"B_1_{floor}")
+        start, end = of(group, "member_use_axial_force", f"B_1_{floor}")
+        assert left - right == pytest.approx(-force, rel=1e-5) and abs(force) > 1e4  # single precision
+        found = follow(file, group, "shaken", f"B_1_{floor}")
+        assert found.steps and found.axial.startswith("N by equilibrium")
+    V = [float(group.variables["member_shear_force"].values[step, recorded.index(f"C_{line}_2"), 1]) for line in "AB"]
+    assert (-start, end) == pytest.approx(V, rel=2e-3, abs=200.0)  # columns lean by 4 mm in 3 m
+    assert left - start == pytest.approx(0.5 * (end - start - force), rel=1e-3)
+
+
 def test_a_beam_by_hand() -> None:
     """IPE360, gamma_M1 1.05, 6 m, 20 kN/m and 30 kN at L/3, 40 kN m at both ends, no axial force: the slab holds it.
 
