@@ -86,6 +86,27 @@ def test_tables_and_report(archive: Path) -> None:
     assert "Cost against worst ratio" in page_text(archive)
 
 
+def test_a_placement_beside_a_design_has_its_dampers_in_all_histories(tmp_path: Path) -> None:
+    """The histories that judged the chosen layout are those of the variant with both; less is left to be bought."""
+    path = study_in(tmp_path)
+    text = path.read_text(encoding="utf-8")
+    first = "first: {method: viscous, law: oil, kind: chevron, bays: 2, storeys: 1, damping: 4 %, level: DBE}"
+    text = text.replace("designs:\n", f"designs:\n  {first}\n").replace("bays: 1\n", "bays: 1\n    beside: first\n")
+    path.write_text(text.replace("{design: placed}", "{design: [first, placed]}"), encoding="utf-8")
+    assert "placed: 3 positions" in check_study(load_study(path))["placements"]
+    with open_archive(run_study(load_study(path)).archive) as opened:
+        design, damped = opened.group("designs/placed"), opened.group("analyses/damped.DBE.motion")
+        tables = {table.title: table for table in study_tables(opened)}
+    chosen = int(str(design.attributes["chosen_layout"])) - 1
+    column = design.coords["criterion"].values.tolist().index("drift, DBE")
+    drift = max(np.abs(damped.variables[f"storey_drift_{side}"].values).max() for side in ("max", "min"))
+    assert design.variables["verdict_value"].values[chosen, column] == drift
+    assert design.attributes["cost"] < 4.2 and design.attributes["beside"] == ["first"]
+    assert (
+        "beside the dampers of first, which stand in the frame" in tables["Design placed: placement, completed"].notes
+    )
+
+
 def test_check_and_run_say_how_many_layouts_there_are(tmp_path: Path) -> None:
     study = load_study(study_in(tmp_path))
     said = check_study(study)["placements"]

@@ -129,6 +129,8 @@ def _layout(group: Group) -> Table:
         f"cost {float(about['cost']):.6g}; dampers: {about['dampers']}; worst ratio of demand to limit "
         f"{float(about['demand']):.3f}; -: empty"
     ]
+    if isinstance(beside := about.get("beside"), list):
+        notes.append(f"beside the dampers of {', '.join(map(str, beside))}, which stand in the frame")
     if "certificate" in about and not about.get("reason"):
         notes.append(f"certificate: {about['certificate']}")
     if about.get("same_cost"):
