@@ -16,20 +16,26 @@ from typing import Any, cast
 
 import numpy as np
 import pytest
+from cases import small_study
 from design_examples import LAWS, MadeVerdict, design, shear_project
 from unit.assess.assessed import frame
 
 from edesign.archive.dataset import Group
+from edesign.archive.reader import open_archive
 from edesign.assess.judged_designs import brace_verdicts, brace_warnings, damping_verdicts
 from edesign.assess.sets import history_sets
 from edesign.codes.device_factors import DeviceFactors
 from edesign.codes.ec8.concentric_braces import SLENDERNESS
 from edesign.errors import InputError
+from edesign.frame.project_file import load_study
 from edesign.frame.sections.steel_section import steel_section
 from edesign.project.dampers.dampers import AnyChosenBrace, BraceSection, DamperRun, Dampers
 from edesign.project.study.study import Study
+from edesign.report.assessment.verdict_data import study_verdicts
 from edesign.space.selection.wishes import nominal_depth
 from edesign.study.design.design import DesignResult, run_design
+from edesign.study.plan.study_plan import verifying_histories
+from edesign.study.run.run import run_study
 
 OIL = """
 dampers:
@@ -251,3 +257,37 @@ def test_a_target_that_the_estimate_does_not_reach_is_left_to_the_histories(meth
     reached = 100.0 * float(result.group.variables["round_reached"].values[0])
     assert 0.8 * most < reached < 1.1 * most  # amplitude, and with it what dashpots of a power add, is another
     assert [one for one in result.group.attributes["warnings"] if "not the 60 % of the target" in one]
+
+
+def test_histories_at_the_level_of_the_braces_choose_them_and_are_not_judged(tmp_path: Path) -> None:
+    """`verify` names DBE alone. The braces hold what the variant's own histories at MCE say, the largest of three."""
+    path = small_study.write(
+        tmp_path,
+        ("    verify:", "    level: DBE\n    brace: {choose: [SHS], material: S275, level: MCE}\n    verify:"),
+        ("measure: interstorey_drift, levels: DBE, most", "measure: interstorey_drift, most"),
+    )
+    found = load_study(path)
+    levels = [spec.level for spec in verifying_histories(found, "added", 1)]
+    assert levels == ["DBE"] * 3 + ["MCE"] * 3
+    with open_archive(run_study(found, only=("damped.DBE", "damped.MCE")).archive) as archive:
+        made = archive.group("designs/added")
+        forces = [archive.group(f"analyses/damped.MCE.{name}") for name in ("first", "second", "third")]
+        verdicts = {(one.name, one.level): one for one in study_verdicts(archive) if one.variant == "damped"}
+    v = made.variables
+    assert (
+        made.coords["criterion"].values.tolist() == ["drift, DBE"] and made.attributes["history_force_level"] == "MCE"
+    )
+    peaks = [
+        np.maximum(one.variables["damper_force_max"].values, -one.variables["damper_force_min"].values)
+        for one in forces
+    ]
+    largest = [
+        max(peak[forces[0].variables["damper_storey"].values == storey].max() for peak in peaks) for storey in (1, 2)
+    ]
+    by_hand = (
+        v["brace_share"].values * v["brace_force_factor"].values * np.array(largest[: v["brace_share"].values.size])
+    )
+    assert v["brace_force"].values == pytest.approx(by_hand) and np.all(by_hand <= v["brace_resistance"].values)
+    judged = verdicts["braces of added", "MCE"]
+    assert judged.answer == "met" and judged.value == pytest.approx(np.max(by_hand / v["brace_resistance"].values))
+    assert verdicts["damping of added", ""].answer == "met"
