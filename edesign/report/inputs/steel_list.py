@@ -14,6 +14,7 @@ from edesign.frame.panel_zones import panels_of
 from edesign.frame.sections.own_section import section_of
 from edesign.frame.sections.section_lists import family_of
 from edesign.project.dampers.dampers import BraceSection, DamperRun
+from edesign.project.frame.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.frame.sections import ElasticSection, RectangleSection
 from edesign.project.notation import names
 from edesign.project.project import Project
@@ -208,6 +209,7 @@ def _whose(variants: Sequence[str], groups: Collection[object]) -> str:
 def _pieces(project: Project) -> Pieces:
     """The members of a plane frame, from node to node, and the braces of its dampers."""
     frame, found = project.frame, Pieces()
+    members: list[tuple[str, ColumnRun | BeamRun | BraceRun, float]]
     members = [("column", run, frame.storey_heights[at[1] - 1]) for at, run in frame.column_at.items()]
     members += [("beam", run, frame.bay_widths[at[0] - 1]) for at, run in frame.beam_at.items()]
     for at, run in frame.brace_at.items():

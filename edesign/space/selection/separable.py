@@ -7,7 +7,6 @@ that drift, and Omega that multiplies the forces of columns are in them, whateve
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterable, Sequence
 from itertools import combinations
 

@@ -362,9 +362,12 @@ def run_watch(file: AnalysisFile, frame: FrameModel) -> StepWatch:
     Raises:
         InputError: as `checked_members`.
     """
-    dampers = [DamperSpeeds(frame)] if frame.devices else []
-    inside = [MomentEnvelope(file, frame)] if frame.model.dimension == 2 and bending_members(frame) else []
-    return StepWatch([*_uses(file, frame), *inside, *dampers, SupportExtremes(frame)])
+    observers = _uses(file, frame)
+    if frame.model.dimension == 2 and bending_members(frame):
+        observers.append(MomentEnvelope(file, frame))
+    if frame.devices:
+        observers.append(DamperSpeeds(frame))
+    return StepWatch([*observers, SupportExtremes(frame)])
 
 
 def _uses(file: AnalysisFile, frame: FrameModel) -> list[Observer]:
