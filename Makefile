@@ -238,6 +238,7 @@ law-parameters: setup
 
 docs-keys: setup
 	@$(PY) -m tools.docs_keys
+	@$(PY) -m tools.python_keys
 	@$(PY) -m tools.effect_pages
 
 messages: setup

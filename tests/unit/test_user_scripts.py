@@ -14,6 +14,7 @@ import edesign
 
 RIGHT = """
 import edesign
+import edesign.keys
 
 project = edesign.load_project("frame/project.yaml")
 changed = project.with_values("materials.S275.fy", "355 MPa")
@@ -48,6 +49,16 @@ made = edesign.make_project(
     analyses=[{"name": "modes", "kind": "modal"}],
 )
 text: str = made.to_yaml("portal.yaml")
+runs = [edesign.keys.ColumnRun(storeys="all", section=name, material="S275") for name in ("HEB240", "HEB260")]
+frame = edesign.keys.Frame(storeys=[4.0, "3.5 m"], bays={"count": 2, "width": 6.0}, columns=runs, beams=[])
+laws: dict[str, edesign.keys.DamperLaw] = {"oil": {"type": "viscous", "parameters": {"c": "1 kN*s/m"}}}
+brace: edesign.keys.BraceSection = {"section": "SHS100x5", "material": "S275"}
+dampers = edesign.keys.Dampers(laws=laws, devices=[{"kind": "chevron", "bays": 1, "law": "oil", "brace": brace}])
+steel = edesign.keys.ElasticMaterial(law="elastic", E=210e9)
+modes = edesign.keys.ModalAnalysis(name="modes", kind="modal")
+edesign.make_project("Portal", frame=frame, dampers=dampers, materials={"S275": steel}, analyses=[modes])
+plan = edesign.keys.Plan(x=[6.0, 4.0], y={"count": 2, "width": 5.0})
+edesign.make_building("Office", plan=plan, storeys=[3.0], columns=[{"section": "HEB200"}], beams=[], materials={})
 sweep = edesign.make_study("Sweep", made, variants={"bare": {"dampers": "none"}}, path="sweep.yaml")
 try:
     edesign.check_study(study)
@@ -69,6 +80,10 @@ WRONG = {
     'edesign.make_project("a", frame={}, material={}, analyses=[])': "call-arg",
     'edesign.make_project("a", frame=3.0, materials={}, analyses=[])': "arg-type",
     'edesign.make_study("a", "project.yaml", variants={})': "arg-type",
+    'edesign.keys.ColumnRun(storeys="all", sectoin="HEB240")': "typeddict-unknown-key",
+    'edesign.keys.Frame(columns=[{"storeys": "all", "sectoin": "HEB240"}])': "typeddict-unknown-key",
+    'edesign.keys.DamperRun(kind="chevron", brace={"sektion": "SHS100x5"})': "typeddict-item",
+    'edesign.keys.Plan(x={"coumt": 2, "width": 5.0})': "typeddict-item",
 }
 
 
@@ -98,7 +113,7 @@ def test_import_loads_nothing_else() -> None:
 def test_mypy_finds_each_wrong_argument_and_passes_right_ones(tmp_path: Path) -> None:
     right, wrong = tmp_path / "right.py", tmp_path / "wrong.py"
     right.write_text(RIGHT)
-    wrong.write_text("import edesign\n" + "\n".join(WRONG) + "\n")
+    wrong.write_text("import edesign, edesign.keys\n" + "\n".join(WRONG) + "\n")
     config = tmp_path / "mypy.ini"  # a user has none: without this mypy would take that of the repository
     config.write_text("[mypy]\n")
     command = [sys.executable, "-m", "mypy", "--strict", "--no-pretty", "--no-error-summary", "--hide-error-context"]

@@ -8,7 +8,12 @@ from typing import Any
 import pytest
 import schema_files as files
 
+from edesign import keys
+from edesign.project.building.members import ColumnRun as BuildingColumnRun
+from edesign.project.frame.frame import Frame
+from edesign.project.frame.members import ColumnRun
 from edesign.schema.kinds import KINDS
+from tools import python_keys
 from tools.docs_keys import FOLDER, pages
 
 _BRIEF = 3
@@ -42,6 +47,13 @@ def test_the_reference_of_keys_is_up_to_date() -> None:
     assert sorted(kept) == sorted(made)
     old = [name for name, text in made.items() if kept[name] != text]
     assert not old, f"{', '.join(old)}: out of date; `make docs-keys` renews them"
+
+
+def test_the_keys_for_python_are_up_to_date() -> None:
+    assert python_keys.FILE.read_text(encoding="utf-8") == python_keys.text(), "`make docs-keys` renews edesign/keys.py"
+    assert keys.ColumnRun(storeys="all", section="HEB240") == {"storeys": "all", "section": "HEB240"}
+    for name, model in {"Frame": Frame, "ColumnRun": ColumnRun, "BuildingColumnRun": BuildingColumnRun}.items():
+        assert set(getattr(keys, name).__annotations__) == set(model.model_fields), name
 
 
 def test_links_inside_the_reference_lead_somewhere() -> None:
