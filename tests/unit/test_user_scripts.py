@@ -54,9 +54,9 @@ frame = edesign.keys.Frame(storeys=[4.0, "3.5 m"], bays={"count": 2, "width": 6.
 laws: dict[str, edesign.keys.DamperLaw] = {"oil": {"type": "viscous", "parameters": {"c": "1 kN*s/m"}}}
 brace: edesign.keys.BraceSection = {"section": "SHS100x5", "material": "S275"}
 dampers = edesign.keys.Dampers(laws=laws, devices=[{"kind": "chevron", "bays": 1, "law": "oil", "brace": brace}])
-steel = edesign.keys.ElasticMaterial(law="elastic", E=210e9)
+elastic_steel = edesign.keys.ElasticMaterial(law="elastic", E=210e9)
 modes = edesign.keys.ModalAnalysis(name="modes", kind="modal")
-edesign.make_project("Portal", frame=frame, dampers=dampers, materials={"S275": steel}, analyses=[modes])
+edesign.make_project("Portal", frame=frame, dampers=dampers, materials={"S275": elastic_steel}, analyses=[modes])
 plan = edesign.keys.Plan(x=[6.0, 4.0], y={"count": 2, "width": 5.0})
 edesign.make_building("Office", plan=plan, storeys=[3.0], columns=[{"section": "HEB200"}], beams=[], materials={})
 sweep = edesign.make_study("Sweep", made, variants={"bare": {"dampers": "none"}}, path="sweep.yaml")
