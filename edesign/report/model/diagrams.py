@@ -143,8 +143,8 @@ def _beside(axis: np.ndarray, at: np.ndarray, way: np.ndarray, outwards: np.ndar
         turned -= 0.0 if up > 0.0 else np.copysign(180.0, turned)
         side = up * np.array([-way[1], way[0]])
         far = max(0.02, abs(float((at - axis) @ side)) + 0.02)
-        at = [(axis + sign * far * side).tolist() for sign in (1.0, -1.0)]
-        return [Spot(x, y, "center", va, turned) for (x, y), va in zip(at, ("bottom", "top"), strict=True)]
+        places = [(axis + sign * far * side).tolist() for sign in (1.0, -1.0)]
+        return [Spot(x, y, "center", va, turned) for (x, y), va in zip(places, ("bottom", "top"), strict=True)]
     if abs(outwards[0]) > abs(outwards[1]):
         spots = [
             Spot(x + 0.03 * sign, at[1], ha) for x in (at[0], axis[0]) for sign, ha in ((1.0, "left"), (-1.0, "right"))

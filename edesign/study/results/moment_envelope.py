@@ -12,7 +12,7 @@ from edesign.project.analysis_file import AnalysisFile
 from edesign.space.analysis.response import STATIONS
 from edesign.study.results.checked_members import moments_inside
 from edesign.study.results.coordinates import bending_members
-from edesign.study.results.recording import SINGLE, coordinate
+from edesign.study.results.recording import SINGLE, Quantity, coordinate
 
 _LINE = np.array([STATIONS - 1.0, STATIONS])
 """Internal moments between the ends, without loads there, over the moments on both ends."""
@@ -30,7 +30,8 @@ class MomentEnvelope:
         frame: in plane.
     """
 
-    needs = ("member_bending_moment",)
+    needs: tuple[str, ...] = ("member_bending_moment",)
+    own: tuple[Quantity, ...] = ()
 
     def __init__(self, file: AnalysisFile, frame: FrameModel) -> None:
         self._loads = moments_inside(file, frame, [member.name for member in bending_members(frame)])[..., 0]
