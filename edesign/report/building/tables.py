@@ -176,7 +176,7 @@ def building_tables(archive: Archive) -> list[Table]:
 
 
 def short_building_tables(archive: Archive) -> list[Table]:
-    """Return base shear, the governing check of each group of members, and the verdict; see `building_tables`."""
+    """Return verdict, base shear, the governing check of each group of members, and steel; see `building_tables`."""
     return _made(archive, SHORT_TABLES)
 
 
@@ -351,4 +351,4 @@ TABLES: tuple[Make, ...] = (
     combinations_table,
     verdict_table,
 )
-SHORT_TABLES: tuple[Make, ...] = (base_shear_table, groups_table, steel_list_table, verdict_table)
+SHORT_TABLES: tuple[Make, ...] = (verdict_table, base_shear_table, groups_table, steel_list_table)

@@ -59,7 +59,7 @@ DOUBLERS = TableSpec[dict[str, Value]](
         text("at", broken=1),
     ),
     notes=(
-        "One plate a panel (EN 1998-1, 6.6.3(6)); width between the fillets, height of the deepest beam at the joint. "
+        "One plate a panel; width between the fillets, height of the deepest beam at the joint. "
         "What a plate reaches beyond (EN 1993-1-8, 6.2.6.1(11)) is not in its mass.",
     ),
 )

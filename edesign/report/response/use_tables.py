@@ -138,8 +138,8 @@ ELASTIC = TableSpec[_Beside](
 MEANT = "Meant to yield, judged by their plastic deformations, and so never listed as beyond 1:"
 ACROSS = (
     "N across: compression that the seismic action across the frame brings to columns of a bracing there, in the "
-    "combinations in which that along the frame leads (EN 1998-1, 4.3.3.5.1(3), 6.7.4(1)). With it: use of the column "
-    "under the forces of the histories with this compression."
+    "combinations in which that along the frame leads. With it: use of the column under the forces of the histories "
+    "with this compression."
 )
 
 

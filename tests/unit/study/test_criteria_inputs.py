@@ -62,7 +62,7 @@ def test_a_design_that_takes_less_than_the_maximum_of_few_motions_is_reported() 
 def test_a_verification_keeps_what_its_criteria_need() -> None:
     study = load_study(PATH)
     verify = Verify(records=("whole",), criteria=("equipment", "velocity", "drift of storey 2"))
-    assert kept_for_verification(study, verify).histories == ("floors", "dampers")
+    assert kept_for_verification(study, verify).histories == ("floors",)  # velocities of dampers come of every step
 
 
 @pytest.mark.parametrize("path", sorted(CASES.glob("*/project.yaml")), ids=lambda path: path.parent.name)
