@@ -327,10 +327,12 @@ class Designer(ABC, Generic[S]):
             return []
         most = int(np.argmax(use.use))
         storeys = ", ".join(str(storey) for storey in self.building.storeys[beyond])
+        by = " by the estimate" if self._share is None else ""
+        force, resistance = 1e-3 * use.force[most], 1e-3 * use.resistance[most]
         return [
-            f"the braces do not hold the dampers in storey {storeys}: most in storey {self.building.storeys[most]}, "
-            f"{use.section[most]} with N_Ed = {1e-3 * use.force[most]:.4g} kN of N_b,Rd = "
-            f"{1e-3 * use.resistance[most]:.4g} kN"
+            f"the braces do not hold the dampers in storey {storeys}{by}: most in storey "
+            f"{self.building.storeys[most]}, {use.section[most]} with N_Ed = {force:.4g} kN of N_b,Rd = "
+            f"{resistance:.4g} kN"
         ]
 
     def store_steps(self, group: Group, done: Search[S], status: str) -> None:
