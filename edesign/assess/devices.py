@@ -95,6 +95,21 @@ def place_forces(
     if not completed:
         return None
     values = np.array([_largest(group, "damper_force", storeys, _mine(names, group)) for group in completed])
+    return _of_motions(found, values, rules)
+
+
+def force_of_each(found: HistorySet, rules: SetRules) -> np.ndarray:
+    """Return the force of all dampers of each place, (d,) N, as `place_forces`, of a set with completed histories."""
+    values = np.array([peak(group, "damper_force") for group in found.completed.values()])
+    return _of_motions(found, values, rules)
+
+
+def names_of_history(history: Group) -> list[str]:
+    """Return the names of the dampers of a history, in its order."""
+    return [str(name) for name in history.coords["damper"].values]
+
+
+def _of_motions(found: HistorySet, values: np.ndarray, rules: SetRules) -> np.ndarray:
     worst = worst_of_each(found, values)
     return np.asarray(worst.mean(axis=0) if len(worst) >= rules.number_for_mean else worst.max(axis=0))
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.assess.devices import names_of_dampers, place_forces
+from edesign.assess.devices import force_of_each, names_of_dampers, names_of_history, place_forces
 from edesign.assess.requirement import DEMAND_OVER_CAPACITY
 from edesign.assess.sets import HistorySet
 from edesign.assess.verdicts import Verdict
@@ -32,8 +32,8 @@ class HeldBraces:
         found: the histories.
         asked: whether the braces are to hold at this level: their own one, or one below it.
         level: their own one.
-        storeys: with dampers, (s,).
-        use: N_Ed / N_b,Rd of the storeys, (s,); None: no history was completed.
+        storeys: with dampers, (s,), of a placement those of its dampers.
+        use: N_Ed / N_b,Rd there, (s,); None: no history was completed.
         statistic: over the motions.
     """
 
@@ -50,7 +50,7 @@ class HeldBraces:
         """The storeys whose braces do not hold, and the largest use, in words; empty if all hold."""
         if self.use is None or not (self.use > 1.0).any():
             return ""
-        beyond = ", ".join(str(storey) for storey in self.storeys[self.use > 1.0])
+        beyond = ", ".join(str(storey) for storey in np.unique(self.storeys[self.use > 1.0]))
         return f"storey {beyond}, N_Ed / N_b,Rd up to {self.use.max():.3g}"
 
 
@@ -68,6 +68,16 @@ def brace_forces(design: Group, found: HistorySet, rules: SetRules) -> np.ndarra
     return np.asarray(values["brace_share"].values * values["brace_force_factor"].values * force)
 
 
+def _placed_forces(design: Group, found: HistorySet, rules: SetRules) -> np.ndarray | None:
+    """N_Ed of a brace of each damper of a placement that has one of a section, (s,) N; None: none was completed."""
+    if not found.completed:
+        return None
+    names = names_of_history(next(iter(found.completed.values())))
+    own = [names.index(str(name)) for name in design.coords["braced"].values]
+    v = design.variables
+    return np.asarray(v["braced_share"].values * v["braced_factor"].values * force_of_each(found, rules)[own])
+
+
 def held_braces(designs: Mapping[str, Group], sets: Sequence[HistorySet], study: Study) -> Iterator[HeldBraces]:
     """Yield the braces of each design that has sections, for each set of histories of a variant with its dampers.
 
@@ -76,9 +86,12 @@ def held_braces(designs: Mapping[str, Group], sets: Sequence[HistorySet], study:
     """
     rules, hazard = rules_in_force(study.base.hazard), study.base.hazard
     for name, design in designs.items():
-        if "brace_section" not in design.variables:
+        placed = "braced_section" in design.variables
+        if not placed and "brace_section" not in design.variables:
             continue
-        own, storeys = str(design.attributes.get("brace_level") or ""), np.asarray(design.coords["storey"].values)
+        own = str(design.attributes.get("brace_level") or "")
+        storeys = np.asarray(design.variables["braced_storey"].values if placed else design.coords["storey"].values)
+        resistance = design.variables[f"{'braced' if placed else 'brace'}_resistance"].values
         for found in sets:
             variant = study.variants.get(own_variant(found.variant))
             if variant is None or name not in variant.designs or found.method is not None:
@@ -86,8 +99,8 @@ def held_braces(designs: Mapping[str, Group], sets: Sequence[HistorySet], study:
             below = False
             if hazard is not None and own and found.level:
                 below = factor_of_level(hazard, found.level) < factor_of_level(hazard, own)
-            forces = brace_forces(design, found, rules)
-            use = None if forces is None else forces / design.variables["brace_resistance"].values
+            forces = _placed_forces(design, found, rules) if placed else brace_forces(design, found, rules)
+            use = None if forces is None else forces / resistance
             motions = len({found.motion_of[history] for history in found.completed})
             statistic = "mean" if motions >= rules.number_for_mean else "maximum"
             yield HeldBraces(name, found, below or found.level == own, own, storeys, use, statistic)

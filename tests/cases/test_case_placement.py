@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable
 from functools import partial
@@ -15,9 +16,11 @@ from cases.conftest import HERE, copied_study
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
 from edesign.frame.project_file import load_project, load_study
+from edesign.frame.sections.steel_section import steel_section
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.report.archive.document import page_text
 from edesign.report.archive.study_tables import study_tables
+from edesign.report.assessment.verdict_data import study_verdicts
 from edesign.study.check.summary import check_study
 from edesign.study.placement.candidates import make_candidates
 from edesign.study.run.run import run_study
@@ -151,3 +154,43 @@ def test_frame_that_needs_no_dampers_gets_none(tmp_path: Path) -> None:
         about = opened.group_attributes("designs/placed")
     assert (about["cost"], about["dampers"], about["certificate"]) == (0.0, 0, "optimal: no layout is cheaper")
     assert about["devices"] == "devices: []\n" and "placement, completed" in page_text(found)
+
+
+def test_histories_choose_the_braces_of_items(tmp_path: Path) -> None:
+    """One section for an item: the lightest of the lists that holds N_Ed = F / (2 cos) at every place, by hand."""
+    lists = "SHS60x3, SHS80x3.2, SHS80x5, SHS100x4, SHS100x6.3, SHS120x5, SHS120x8, SHS140x6.3, SHS160x8"
+    brace = f"{{choose: [{lists}], material: S275, overstrength: 1.2}}"
+    path = study_in(tmp_path)
+    text = path.read_text(encoding="utf-8").replace("{stiffness: 60 kN/mm}", brace)
+    path.write_text(text, encoding="utf-8")
+    said: list[str] = []
+    with open_archive(run_study(load_study(path), progress=lambda one: said.append(one.message)).archive) as opened:
+        design, damped = opened.group("designs/placed"), opened.group("analyses/damped.DBE.motion")
+        verdicts = {one.name: one for one in study_verdicts(opened) if one.variant == "damped"}
+    assert any("again, for the forces in its braces" in line for line in said)
+    names = damped.coords["damper"].values.tolist()
+    v, own = design.variables, [names.index(name) for name in design.coords["braced"].values]
+    peaks = np.maximum(damped.variables["damper_force_max"].values, -damped.variables["damper_force_min"].values)[own]
+    height = np.array([4.0, 3.3, 3.3])[v["braced_storey"].values - 1]
+    length = np.hypot(3.0, height)
+    N_Ed = 1.2 * peaks * length / (2.0 * 3.0)
+    assert v["braced_force"].values == pytest.approx(N_Ed) and np.all(N_Ed <= v["braced_resistance"].values)
+    (section,) = set(v["braced_section"].values.tolist())
+    lighter = lists.split(", ")[: lists.split(", ").index(section)]
+    E, fy = 210e9, 275e6
+
+    def resistance(name: str, L: float) -> float:
+        of = steel_section(name)
+        slenderness = math.sqrt(of.A * fy / (math.pi**2 * E * of.I_z / L**2))
+        phi = 0.5 * (1.0 + 0.21 * (slenderness - 0.2) + slenderness**2)  # curve a
+        return of.A * fy / (phi + math.sqrt(phi**2 - slenderness**2)) if slenderness <= 2.0 else 0.0
+
+    assert v["braced_resistance"].values == pytest.approx([resistance(section, L) for L in length], rel=1e-6)
+    line = {name: steel_section(name).A for name in lists.split(", ")}
+    assert all(
+        any(resistance(name, L) < need for L, need in zip(length, N_Ed, strict=True))
+        for name in lighter
+        if line[name] < line[section]
+    )
+    judged = verdicts["braces of placed"]
+    assert judged.answer == "met" and judged.value == pytest.approx(np.max(N_Ed / v["braced_resistance"].values))

@@ -7,7 +7,14 @@ from typing import Annotated, Literal, NamedTuple
 from pydantic import Field
 
 from edesign.project.analysis.damping import State
-from edesign.project.dampers.dampers import Brace, Count, Layers
+from edesign.project.dampers.dampers import (
+    AnyChosenBrace,
+    BraceSection,
+    BraceStiffness,
+    ChosenBrace,
+    Count,
+    Layers,
+)
 from edesign.project.dampers.verification import PlacementVerify
 from edesign.project.notation.frames import Direction, Frames, FrameSelection
 from edesign.project.notation.selections import ALL_NUMBERS, Numbers, NumberSelection
@@ -21,8 +28,22 @@ from edesign.project.notation.units import (
     UnitRatio,
 )
 from edesign.project.reading.base import Model
+from edesign.project.reading.one_of import OneOf
 
 Kind = Literal["chevron", "rising", "falling", "storey"]
+
+
+ItemBrace = Annotated[
+    Literal["rigid"] | BraceStiffness | BraceSection | ChosenBrace | AnyChosenBrace,
+    OneOf(
+        otherwise=BraceStiffness,
+        force=ChosenBrace,
+        choose=AnyChosenBrace,
+        section=BraceSection,
+        material=BraceSection,
+    ),
+]
+"""Braces of an item; without a `force` histories choose the section from lists."""
 
 
 class CatalogueItem(Model):
@@ -37,7 +58,8 @@ class CatalogueItem(Model):
         scale: factor on the forces of a law without prototype.
         design_deformation: amplitude at which it counts in natural modes; without the key that of the estimate in each
             place.
-        brace: brace in series with the dampers of a place.
+        brace: brace in series with the dampers of a place; lists without a force get the section that holds the
+            histories.
         kind: how the dampers stand, in place of the `kind` of the design.
         cost: cost of one damper, in any currency.
     """
@@ -49,7 +71,7 @@ class CatalogueItem(Model):
     layer_thickness: PositiveLength | None = None
     scale: PositiveFactor | None = None
     design_deformation: PositiveLength | None = None
-    brace: Brace = "rigid"
+    brace: ItemBrace = "rigid"
     kind: Kind | None = None
     cost: PositiveFactor
 

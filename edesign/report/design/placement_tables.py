@@ -131,6 +131,10 @@ def _layout(group: Group) -> Table:
     ]
     if isinstance(beside := about.get("beside"), list):
         notes.append(f"beside the dampers of {', '.join(map(str, beside))}, which stand in the frame")
+    if "braced_section" in group.variables:
+        use = group.variables["braced_force"].values / group.variables["braced_resistance"].values
+        sections = ", ".join(dict.fromkeys(map(str, group.variables["braced_section"].values)))
+        notes.append(f"braces: {sections}; N_Ed / N_b,Rd up to {use.max():.3g} in the histories of this layout")
     if "certificate" in about and not about.get("reason"):
         notes.append(f"certificate: {about['certificate']}")
     if about.get("same_cost"):

@@ -46,6 +46,11 @@ class LayoutEstimates:
         self._stiffness_of: dict[object, tuple[np.ndarray, np.ndarray]] = {}
         self._known: dict[Layout, np.ndarray] = {}
 
+    @property
+    def frequency(self) -> float:
+        """The frequency of the mode that leads without dampers, of several directions the largest, Hz."""
+        return max(self._frequencies)
+
     def __call__(self, layout: Layout) -> np.ndarray:
         """Estimate the responses of a layout; as without dampers if it fails.
 

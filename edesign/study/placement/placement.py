@@ -6,7 +6,10 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 from edesign.archive.dataset import Group
+from edesign.assess.sets import HistorySet
+from edesign.codes.device_factors import NONE, DeviceFactors
 from edesign.errors import AnalysisError, InputError
+from edesign.ground_motion.hazard import rules_in_force
 from edesign.project.actions.hazard import UserHazard
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.dampers import Dampers
@@ -17,6 +20,7 @@ from edesign.study.design.design import DesignResult
 from edesign.study.design.estimate import action_of
 from edesign.study.design.loop import RoundOutcome
 from edesign.study.design.verification import Judge, judged
+from edesign.study.placement.braces import BraceAt, ItemBraces, store_braces
 from edesign.study.placement.candidates import Candidates, make_candidates
 from edesign.study.placement.certificate import certify
 from edesign.study.placement.estimate import LayoutEstimates
@@ -44,6 +48,7 @@ def run_placement(
     progress: Callable[[str], None] = lambda text: None,
     keep: Callable[[Group], None] = lambda group: None,
     beside: Standing = NOTHING_BESIDE,
+    factors: DeviceFactors = NONE,
 ) -> DesignResult:
     """Search for the layout of least cost with which histories meet the criteria.
 
@@ -67,7 +72,8 @@ def run_placement(
     if spec.beside:
         about["beside"] = list(spec.beside)
     try:
-        candidates = make_candidates(project, name, spec, beside)
+        braces = ItemBraces(project, name, spec, factors)
+        candidates = braced(project, name, braces, beside)
         level = spec.level or (spec.verify.levels or ("",))[0]
         estimates = LayoutEstimates(candidates, action_of(_orderable(project), level, spec.inherent_damping))
     except AnalysisError as error:
@@ -104,11 +110,38 @@ def run_placement(
     knowledge = search(candidates.space, analyse, estimates, budget, spec.monotone, interrupted)
     chosen, proof = chosen_of(knowledge), certify(knowledge, spec.monotone)
     reason = "" if chosen.outcome.met else f"{proof.sentence}; the nearest misses: {chosen.outcome.misses}"
+    uses: list[BraceAt] = []
+    rules, number, levels = rules_in_force(project.hazard), len(knowledge.analysed), spec.verify.levels or ("",)
+    held = level if level in levels else levels[0]
+    while any(candidates.devices[option, at].brace_bar for at, option in candidates.equipped(chosen.layout).items()):
+        number += 1
+        progress(f"layout {chosen.number} again, for the forces in its braces")
+        groups = next(respond([(number, candidates.dampers(chosen.layout))]))
+        at_level = {key: one for key, one in groups.items() if str(one.attributes.get("level") or "") == held}
+        uses = braces.uses(candidates, chosen.layout, HistorySet("", held, at_level), rules, estimates.frequency)
+        outcome = judged(groups, judge)
+        if chosen.outcome.met and not outcome.met:
+            reason = f"with braces that hold its dampers it misses: {outcome.misses}"
+        try:
+            if not braces.grow(uses):
+                break
+        except InputError as error:
+            reason = str(error)
+            break
+        candidates = make_candidates(project, name, braces.spec(), beside)
+        estimates = LayoutEstimates(candidates, action_of(_orderable(project), level, spec.inherent_damping))
     status = "failed" if reason else "completed"
     group = Group(attributes=about | {"status": status, "reason": reason})
     dampers = dampers_of(chosen.layout)
     store_placement(group, candidates, knowledge, dampers, proof)
+    store_braces(group, uses, {"brace_level": held})
     return DesignResult(dampers, group, status, reason)
+
+
+def braced(project: AnalysisFile, name: str, braces: ItemBraces, beside: Standing) -> Candidates:
+    """Return the candidates, with the lightest sections of braces that are chosen; errors as `make_candidates`."""
+    candidates = make_candidates(project, name, braces.spec(), beside)
+    return make_candidates(project, name, braces.spec(), beside) if braces.begin(candidates) else candidates
 
 
 def _orderable(project: AnalysisFile) -> AnalysisFile:
@@ -152,7 +185,7 @@ def check_placement(
             leave no dampers, or the budget is not enough for one layout.
     """
     try:
-        candidates = make_candidates(project, name, spec, beside)
+        candidates = braced(project, name, ItemBraces(project, name, spec, NONE), beside)
     except AnalysisError:
         return ""  # `run_placement` keeps the reason
     space = candidates.space

@@ -164,6 +164,7 @@ def _design(study: Study, name: str, order: int, run: RunState, made: Mapping[st
                     lambda message: run.say(f"design {name}: {message}", evaluated.left(verify)),
                     keep,
                     standing_of([made[other].standing for other in beside]),
+                    factors_in_force(study, study.hazard),
                 )
             else:
                 result = run_design(
