@@ -116,7 +116,7 @@ class ItemBraces:
         if not completed:
             return []
         names, forces = names_of_history(completed[0]), force_of_each(found, rules)
-        strokes = np.max([peak(group, "damper_deformation") for group in completed], axis=0)
+        strokes = np.max([of for group in completed if (of := peak(group, "damper_deformation")) is not None], axis=0)
         uses = []
         for place, option in frame.equipped(layout).items():
             device = frame.devices[option, place]

@@ -7,13 +7,14 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import cast
 
 import numpy as np
 
 from edesign.errors import InputError
 from edesign.frame.devices import Device
 from edesign.project.analysis_file import AnalysisFile
-from edesign.project.dampers.dampers import DamperRun, Dampers
+from edesign.project.dampers.dampers import Brace, DamperRun, Dampers
 from edesign.project.dampers.placement import CatalogueItem, Kind, PlacementDesign
 from edesign.project.notation.frames import parse_frames
 from edesign.project.notation.grid import BayPlace
@@ -223,7 +224,7 @@ def _run(
         layer_thickness=item.layer_thickness,
         scale=item.scale,
         design_deformation=item.design_deformation,
-        brace=item.brace,
+        brace=cast(Brace, item.brace),  # of one that is chosen the section is known here
     )
 
 
