@@ -438,7 +438,8 @@ def ways(place: BracePlace, run: BraceRun) -> dict[str, tuple[Point, Point]]:
     """
     left, right = place.lines
     low, high = place.storey - 1, place.storey
-    rising, falling = ((left, low), (right, high)), ((right, low), (left, high))
+    rising: tuple[Point, Point] = (left, low), (right, high)
+    falling: tuple[Point, Point] = (right, low), (left, high)
     if run.kind == "chevron":
         return {"r": ((left, low), (None, high)), "f": ((right, low), (None, high))}
     if run.kind == "v":
