@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 DENSITY = 7850.0  # of steel, kg/m3; EN 1991-1-1, Table A.4, and EN 10365
 
@@ -72,7 +72,8 @@ class SteelSection:
         """
         unknown = dict.fromkeys(("A_vy", "A_vz", "W_el_y", "W_el_z", "W_pl_y", "W_pl_z"), math.nan)
         none = dict.fromkeys(("h", "b", "tw", "tf", "r", "A", "A_y", "A_z", "I_y", "I_z", "I_t", "I_w"), 0.0)
-        return cls(name=name, kind=kind, cold_formed=False, **{**none, **unknown, **known})
+        values: dict[str, Any] = {**none, **unknown, **known}
+        return cls(name=name, kind=kind, cold_formed=False, **values)
 
     @property
     def has_class(self) -> bool:

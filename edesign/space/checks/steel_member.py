@@ -22,14 +22,14 @@ class SteelMember(Member):
     def constants(self) -> MemberConstants:
         """Resistances, slendernesses and factors, SI."""
         s, stability = self.section, self.stability
-        if s.kind == "other":
+        if s.kind == "other" or s.kind == "U":
             return UNCHECKED
         strength = Strength(self)
         if s.kind == "BRB":  # its casing keeps it from buckling
             N_Rd = strength.N_pl_Rd()
             return replace(UNCHECKED, N_Rd=N_Rd, N_b_y_Rd=N_Rd, N_b_z_Rd=N_Rd)
         y, z = strength.flexural("y"), strength.flexural("z")
-        if s.axial_alone:
+        if s.kind == "L" or s.kind == "2U":
             return replace(UNCHECKED, N_Rd=strength.N_pl_Rd(), N_b_y_Rd=y.N_b_Rd, N_b_z_Rd=z.N_b_Rd)
         return MemberConstants(
             N_Rd=strength.N_pl_Rd(),

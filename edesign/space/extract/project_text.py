@@ -403,8 +403,8 @@ class _ProjectText:
         text = ["dampers:", "  laws:", *(f"    {yaml_text(name)}: {_restrained(law)}" for name, law in laws.items())]
         text.append("  devices:                              # scale: area of the core over A_sc")
         for at, storeys, (kind, name, scale) in runs(devices, self.bays, self.storeys, str):
-            place = f"kind: {kind}, bays: {at}, storeys: {storeys}"
-            text.append(f"    - {{{place}, law: {yaml_text(name)}, scale: {scale:g}{carries}}}")
+            stands = f"kind: {kind}, bays: {at}, storeys: {storeys}"
+            text.append(f"    - {{{stands}, law: {yaml_text(name)}, scale: {scale:g}{carries}}}")
         return [*text, ""]
 
     def design(self) -> list[str]:
