@@ -111,7 +111,7 @@ def _group(analysis: ElasticAnalysis, name: str) -> Group:
     area = tuple(steel_section(section).A for section in ordered)
     metres = float(frame.length[numbers].sum())
     mass = tuple(value * steel.density * metres for value in area)
-    inertia = [steel_section(section).I_y for section in ordered]
+    inertia = list(area) if restrained else [steel_section(section).I_y for section in ordered]
     stiffer = tuple(
         tuple(k for k in range(number + 1, len(ordered)) if inertia[k] > inertia[number])
         for number in range(len(ordered))

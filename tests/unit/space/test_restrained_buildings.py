@@ -190,8 +190,9 @@ def test_braces_of_both_directions_yield_at_once() -> None:
 def test_lists_of_cores() -> None:
     lists = "design:\n  select: {lists: {braces: [SHS, BRB6, BRB10, BRB14]}}\n"
     analysis = ElasticAnalysis(building(BRACED.replace("design:\n", lists)))
-    groups = {group.name: group.sections for group in groups_of(analysis)}
-    assert groups["low"] == groups["high"] == ("BRB6", "BRB10", "BRB14")
+    groups = {group.name: group for group in groups_of(analysis)}
+    assert groups["low"].sections == groups["high"].sections == ("BRB6", "BRB10", "BRB14")
+    assert groups["low"].records == (0, 1, 2) and groups["low"].stiffer == ((1, 2), (2,), ())  # by their areas
     with pytest.raises(InputError, match="list areas of cores, such as `BRB20`.*E-SPACE-07"):
         groups_of(ElasticAnalysis(building(BRACED)))
     assert sections_of("brb 12.5")[0].A == pytest.approx(12.5e-4)
