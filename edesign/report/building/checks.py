@@ -21,6 +21,7 @@ from edesign.report.tables.column import Column, col, count, formula, text
 from edesign.report.tables.number import finite, significant
 from edesign.report.tables.table import ROUNDING, Table, TableSpec
 from edesign.report.tables.unit import ONE, Unit
+from edesign.space.archived import IMPERFECTION
 
 SAME = 1e-6
 """Share by which a calculation may miss the utilisation: above rounding, below the digits that are shown."""
@@ -208,6 +209,8 @@ def member_tables(results: BuildingResults, name: str) -> list[Table]:
 def effects_table(results: BuildingResults, member: int, check: int) -> Table:
     """Return the internal forces of each action on a member at the place where a check governs.
 
+    Sway imperfections of other combinations are left out.
+
     Args:
         member: number of the member, from 0.
         check: number of the check, from 0.
@@ -226,30 +229,18 @@ def effects_table(results: BuildingResults, member: int, check: int) -> Table:
         Column(of, of, unit=UNITS["N*m" if moment else "N"], negligible=np.finfo(float).tiny, symbols=True)
         for of, moment in zip(forces, moments, strict=True)
     ]
+    idle = idle_sway(results, int(results.values("members", "combination")[member, check]))
     signs = {str(case): "" for case in results.values("forces", "case")}
     signs |= {f"E_{axis}": "+-" for axis in results.values("forces", "axis")}
-    combination = int(results.values("members", "combination")[member, check])
-    leaves = _leave_out(results, combination - 1) if combination else frozenset()
-    notes = ["S: sway imperfections; those of other combinations are left out."] if leaves else []
+    notes = ["S: sway imperfections; those of other combinations are left out."] if idle else []
     notes += _of_one_sense(results, member)
     rows: list[dict[str, Value]] = [
         {"action": action}
         | {force: Marked(value, before=sign if value else "") for force, value in zip(forces, values, strict=True)}
         for (action, sign), values in zip(signs.items(), every.tolist(), strict=True)
-        if action not in leaves
+        if action not in idle
     ]
     return FORCES.of(rows, more=columns, notes=notes, whose=name, place=place)
-
-
-def _leave_out(results: BuildingResults, combination: int) -> frozenset[str]:
-    """The cases of sway imperfections, and of their second order, that a combination has not."""
-    factors = results.values("combinations", "static")[combination]
-    names = map(str, results.values("forces", "case"))
-    return frozenset(
-        name
-        for name, factor in zip(names, factors, strict=True)
-        if factor == 0.0 and name.startswith(("S_x", "S_y", "P_Delta"))
-    )
 
 
 def _of_one_sense(results: BuildingResults, member: int) -> list[str]:
@@ -262,6 +253,23 @@ def _of_one_sense(results: BuildingResults, member: int) -> list[str]:
         "Of the pair the brace in tension carries all (EN 1998-1, 6.7.2(2)P): E and S are twice those of the model, "
         "with both signs; own load cases have it in one sense, and 0 in the other."
     ]
+
+
+def idle_sway(results: BuildingResults, combination: int) -> set[str]:
+    """Return the cases of sway imperfections that do not act in a combination.
+
+    Args:
+        combination: its number, from 1; 0 where no check governs.
+    """
+    group = results.group("combinations")
+    if "alternative" not in group.variables or not combination:
+        return set()
+    cases = [str(case) for case in results.values("combinations", "case")]
+    kinds = [str(kind) for kind in results.values("combinations", "alternative")]
+    factors = results.values("combinations", "static")[combination - 1]
+    return {
+        case for case, kind, factor in zip(cases, kinds, factors, strict=True) if kind == IMPERFECTION and factor == 0.0
+    }
 
 
 def member_data(results: BuildingResults, name: str) -> dict[str, object]:

@@ -9,8 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.report.building.results import BuildingResults, Row
-from edesign.report.tables.column import formula, text
+from edesign.report.tables.column import bounded, col, count, formula, text
 from edesign.report.tables.table import Table, TableSpec
+from edesign.report.tables.unit import ONE
 from edesign.space.archived import IMPERFECTION
 
 COMBINATIONS = TableSpec[dict[str, str]](
@@ -19,6 +20,21 @@ COMBINATIONS = TableSpec[dict[str, str]](
     (text("no.", broken=1), formula("combination", broken=2), formula("situation"), text("EN 1990")),
     keys=4,
 )
+SWAY = TableSpec[Row](
+    "sway",
+    "Sway in persistent combinations",
+    (
+        formula("combination", lambda row: row["combination"], broken=1),
+        count("of them", lambda row: row["count"], missing=""),
+        *(
+            col(name, ONE, bounded(key), 3, optional=True)
+            for key, name in (("alpha_cr", "alpha_cr"), ("alpha_cr_x", "alpha_cr,x"), ("alpha_cr_y", "alpha_cr,y"))
+        ),
+        *(col(f"factor {axis}", ONE, bounded(f"amplification_{axis}"), 4, optional=True) for axis in "xy"),
+        *(col(f"1 / phi_{axis}", ONE, bounded(f"inverse_{axis}"), 3, optional=True) for axis in "xy"),
+    ),
+)
+_SWAY_VALUES = ("alpha_cr", *(f"{key}_{axis}" for key in ("alpha_cr", "amplification", "inverse") for axis in "xy"))
 _TERM = re.compile(r"(-?)(?:([0-9.e+-]+) )?(.+)")
 
 
@@ -64,6 +80,36 @@ def combinations_table(results: BuildingResults) -> Table:
             }
         )
     return COMBINATIONS.of(rows, notes=_notes(rows, labels))
+
+
+def sway_table(results: BuildingResults) -> Table:
+    """Return the sway stability in persistent combinations; those that differ in direction or pattern have one row.
+
+    Of several the least alpha_cr stands there, and the largest factor and imperfection. Old archives have none of it.
+    """
+    if not results.has("sway"):
+        return SWAY.of(())
+    names = [str(name) for name in results.values("sway", "persistent")]
+    kinds = _alternatives(results, [str(case) for case in results.values("combinations", "case")])
+    alike: dict[object, list[int]] = {}
+    for number, name in enumerate(names):
+        alike.setdefault(frozenset((of.kind, of.factor) for of in _terms(name, kinds)), []).append(number)
+    labels: dict[tuple[str, ...], str] = {}
+    rows: list[dict[str, object]] = []
+    known = results.group("sway").variables
+    for several in alike.values():
+        row: dict[str, object] = dict.fromkeys(_SWAY_VALUES) | {"count": len(several)}
+        row["combination"] = _together([_terms(names[number], kinds) for number in several], labels)
+        for key, of in known.items():
+            values = of.values[several]
+            row[key] = float(values.min() if key.startswith("alpha_cr") else values.max())
+        for axis in "xy":
+            phi = row.get(f"initial_sway_{axis}")
+            row[f"inverse_{axis}"] = 1.0 / phi if isinstance(phi, float) and phi > 0.0 else None
+        rows.append(row)
+    notes = _notes([{"combination": str(row["combination"])} for row in rows], labels, "persistent")
+    notes += [f"{key}: {of.long_name}" for key, of in known.items() if not key.startswith("initial")]
+    return SWAY.of(rows, notes=notes)
 
 
 def _alternatives(results: BuildingResults, cases: Sequence[str]) -> dict[str, str]:
@@ -124,12 +170,14 @@ def _ranges(numbers: Sequence[int]) -> str:
     )
 
 
-def _notes(rows: Sequence[dict[str, str]], labels: dict[tuple[str, ...], str]) -> list[str]:
+def _notes(
+    rows: Sequence[dict[str, str]], labels: dict[tuple[str, ...], str], dimension: str = "combination"
+) -> list[str]:
     names = [row["combination"] for row in rows]
     found = [f"{label}: {'one of ' * (len(among) > 1)}{', '.join(among)}" for among, label in labels.items()]
     if symbol := next((of for of in (f" {IMPERFECTION} ", "S_x") if any(of in f"{name} " for name in names)), ""):
         what = "S: sway imperfection along x or y" if symbol[0] == " " else "S_x, S_y: sway imperfections"
         found.append(f"{what}, of the combination that they stand in; P_Delta: its sway amplified")
     if any("[" in name for name in names):
-        found.append("one by one: `edesign export`, table building_by_combination")
+        found.append(f"one by one: `edesign export`, table building_by_{dimension}")
     return found

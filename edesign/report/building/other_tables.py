@@ -13,12 +13,13 @@ from edesign.space.archived import PLACE, SELECTION
 
 KNOWN = {
     *("combinations", "criteria", "deflections", "floors", "forces", "foundations", "joints", "lateral", "materials"),
-    *("members", "modes", "nodes", "overstrength_x", "overstrength_y", "spectrum", "storeys_x", "storeys_y", SELECTION),
+    *("members", "modes", "nodes", "overstrength_x", "overstrength_y", "spectrum", "storeys_x", "storeys_y", "sway"),
+    SELECTION,
 }
 """Groups that the other tables and figures show."""
 ROWS = 100
 """Rows of a table."""
-_TITLES = {"panels": "Web panels of columns", "sway": "Sway in persistent combinations"}
+_TITLES = {"panels": "Web panels of columns"}
 _HEADS: dict[str, tuple[str, str]] = {
     "node": ("node", ""),
     "axis": ("direction", ""),
@@ -26,16 +27,8 @@ _HEADS: dict[str, tuple[str, str]] = {
     "V_wp_Rd": ("resistance", "V_wp,Rd"),
     "V_wp_Rd_doubled": ("resistance with a plate", "V_wp,Rd,d"),
     "doubler": ("plate", "t_d"),
-    "alpha_cr": ("load factor", "alpha_cr"),
-    "alpha_cr_x": ("load factor", "alpha_cr,x"),
-    "alpha_cr_y": ("load factor", "alpha_cr,y"),
-    "amplification_x": ("factor on sway effects, x", ""),
-    "amplification_y": ("factor on sway effects, y", ""),
-    "initial_sway_x": ("imperfection", "phi_x"),
-    "initial_sway_y": ("imperfection", "phi_y"),
 }
 """Words and symbols of the variables of these groups, in the order of their columns; other groups have their names."""
-_ALONG = {"persistent": "combination"}
 _UNITS = UNITS | {"m": MM}  # lengths are those of plates
 OTHERS = TableSpec[Row]("other_results", "{title}", (), named_by_title=True)
 VARIABLES = TableSpec[None]("other_variables", "{group}: in the archive", (), named_by_title=True)
@@ -64,7 +57,7 @@ def _tables(results: BuildingResults, name: str) -> list[Table]:
         tables.append(
             replace(OTHERS, formulas=bool(named)).of(
                 rows[:ROWS],
-                more=[_column(_ALONG.get(along, along), along, coordinate), *columns],
+                more=[_column(along, along, coordinate), *columns],
                 notes=notes,
                 title=_TITLES.get(name, f"{words}, each {along}"),
             )

@@ -16,7 +16,7 @@ from edesign.project.notation.printed_unit import told_apart
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.report.building.check_table import check_words, use
 from edesign.report.building.code_in_use import in_code, rules_in_use
-from edesign.report.building.combination_table import combinations_table
+from edesign.report.building.combination_table import combinations_table, sway_table
 from edesign.report.building.deflection_table import deflection_table
 from edesign.report.building.foundation_table import foundation_table, persistent_table, reaction_table
 from edesign.report.building.lateral_tables import drifts_table, lateral_cases_table
@@ -348,6 +348,7 @@ TABLES: tuple[Make, ...] = (
     reaction_table,
     persistent_table,
     foundation_table,
+    sway_table,
     combinations_table,
     verdict_table,
 )

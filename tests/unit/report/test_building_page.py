@@ -18,7 +18,7 @@ from edesign.frame.building_file import load_building
 from edesign.report.archive.document import page_text
 from edesign.report.archive.figures import all_figures
 from edesign.report.building.basis_tables import floors_table, joints_table, overstrength_table
-from edesign.report.building.checks import member_tables, worked_table, worked_worst
+from edesign.report.building.checks import idle_sway, member_tables, worked_table, worked_worst
 from edesign.report.building.curves import mode_shapes
 from edesign.report.building.other_tables import other_tables
 from edesign.report.building.plans import _alike, _runs
@@ -99,7 +99,9 @@ def test_a_worked_check_ends_with_what_the_table_says(results: BuildingResults) 
         assert (found.member, found.check, found.number) == (worst.member, worst.name, worst.combination)
     checks, effects, calculation = member_tables(results, "C_B2_1")
     assert len(checks.rows) == len({row[0] for row in checks.rows}) > 8
-    assert [row[0] for row in effects.rows] == ["G", "Q", "E_x", "E_y"]  # of its combination
+    assert [row[0] for row in effects.rows] == ["G", "Q", "E_x", "E_y"]  # an earthquake governs: no sway acts in it
+    sway = [row["name"] for row in results.rows("combinations", "combination")].index("1.35 G + 1.5 Q + S_x") + 1
+    assert (idle_sway(results, sway), idle_sway(results, 1)) == ({"S_y"}, {"S_x", "S_y"})
     assert calculation.rows[-1][0] == "utilisation"
 
 
@@ -114,11 +116,10 @@ def test_a_calculation_that_misses_the_utilisation_is_not_shown(results: Buildin
 
 
 def test_groups_without_a_table_of_their_own_have_one(results: BuildingResults, tmp_path: Path) -> None:
-    panels, sway = other_tables(results)
-    assert (panels.title, sway.title) == ("Web panels of columns", "Sway in persistent combinations")
+    (panels,) = other_tables(results)
+    assert panels.title == "Web panels of columns"
     assert panels.headers[:4] == ["panel", "node", "direction", "shear V_wp,Ed [kN]"]
-    assert sway.headers[1:4] == ["load factor alpha_cr", "load factor alpha_cr,x", "load factor alpha_cr,y"]
-    assert not any("_doubled" in text or "initial_" in text for text in (*panels.headers, *sway.headers, *panels.notes))
+    assert not any("_doubled" in text for text in (*panels.headers, *panels.notes))
     group = Group(coords={"panel": Variable(("panel",), np.array(["A1.1", "A2.1"]), "", "panel")})
     group.add("V_wp_Ed", ("panel",), np.array([2.0e5, np.inf]), "N", "shear of the panel")
     group.add("field", ("panel", "panel"), np.zeros((2, 2)), "1", "some field")

@@ -17,7 +17,7 @@ from edesign.archive.reader import Archive, open_archive
 from edesign.cli.main import main
 from edesign.errors import ArchiveError, InputError
 from edesign.frame.building_file import load_building
-from edesign.report.building.combination_table import combinations_table
+from edesign.report.building.combination_table import combinations_table, sway_table
 from edesign.report.building.results import BuildingResults
 from edesign.report.building.tables import building_tables
 from edesign.report.tables.text import broken, plain, print_tables, printed
@@ -143,3 +143,30 @@ def test_the_version_of_the_format_is_a_number(tmp_path: Path, version: str) -> 
     file.write_text(SMALL.replace("edesign_building: 1", f"edesign_building: {version}"), encoding="utf-8")
     with pytest.raises(InputError, match=f"1:19: edesign_building: .*`{version}`.*E-FILE-05"):
         load_building(file)
+
+
+def test_sway_of_combinations_that_are_alike_stands_in_one_row(tmp_path: Path) -> None:
+    """Patterns of Q and directions of wind: 18 persistent combinations in four rows, each with its least alpha_cr."""
+    cases = "  pattern: chessboard\n  cases:\n"
+    cases += "    wind_x: {category: wind, reversed: true, floors: [{floors: all, x: 9 kN}]}\n"
+    cases += "    wind_y: {category: wind, floors: [{floors: all, y: 9 kN}]}\nmasses:"
+    (tmp_path / "own.yaml").write_text(SMALL.replace("masses:", cases), encoding="utf-8")
+    with open_archive(run_building(load_building(tmp_path / "own.yaml"))[0]) as archive:
+        results = BuildingResults(archive)
+        table = sway_table(results)
+        names = [str(name) for name in results.values("sway", "persistent")]
+        alpha, phi = results.values("sway", "alpha_cr_x"), results.values("sway", "initial_sway_x")
+    rows = {str(row[0]): row for row in table.rows}
+    of = {
+        "1.35 G + 1.5 [Q]": [name for name in names if "wind" not in name],
+        "1.35 G + 1.5 [Q] + 0.9 [wind]": [name for name in names if "0.9 wind" in name],
+        "1.35 G + 1.05 Q + 1.5 [wind]": [name for name in names if "1.05" in name],
+        "G + 1.5 [wind]": [name for name in names if name.startswith("G ")],
+    }
+    assert sorted(rows) == sorted(of) and sum(map(len, of.values())) == len(names) == 18
+    at = table.headers.index("alpha_cr,x")
+    for name, several in of.items():
+        numbers = [names.index(one) for one in several]
+        assert int(str(rows[name][1])) == len(several)
+        assert float(str(rows[name][at])) == pytest.approx(float(alpha[numbers].min()), rel=5e-3)  # three digits
+        assert float(str(rows[name][at + 4])) == pytest.approx(1.0 / float(phi[numbers].max()), rel=5e-3)

@@ -20,7 +20,7 @@ from edesign.report.building.basis_tables import (
 from edesign.report.building.check_table import check_words, group_checks_table
 from edesign.report.building.checks import effects_table, worked_table, worked_worst
 from edesign.report.building.code_in_use import in_code, rules_in_use
-from edesign.report.building.combination_table import combinations_table
+from edesign.report.building.combination_table import combinations_table, sway_table
 from edesign.report.building.curves import mode_shapes, spectra, storey_curves
 from edesign.report.building.deflection_table import deflection_table
 from edesign.report.building.elevations import elevations
@@ -239,5 +239,5 @@ _SECTIONS: tuple[tuple[str, str, tuple[Parts, ...]], ...] = (
     ),
     ("foundations", "Foundations", tuple(map(_table, (reaction_table, persistent_table, foundation_table)))),
     ("others", "Other results", (_others,)),
-    ("combinations", "Combinations of actions", (_table(combinations_table),)),
+    ("combinations", "Combinations of actions", (_table(combinations_table), _table(sway_table))),
 )
