@@ -191,9 +191,6 @@ class Search:
 
         Each grows sections alone, so that they come to an end.
 
-        Args:
-            numbers: of the sections.
-
         Returns:
             The choice; None where the lists do not allow it.
         """

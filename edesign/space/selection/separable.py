@@ -26,10 +26,8 @@ class Separable:
     """The model about a choice that was analysed.
 
     Args:
-        base: the choice.
         groups: with their sections.
         alike: how many diagonals must have like Omega, a number for each direction.
-        cost: of a choice.
         allowed: whether a choice is.
 
     Attributes:

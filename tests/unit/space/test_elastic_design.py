@@ -193,7 +193,7 @@ def test_what_the_commands_say(tmp_path: Path, capsys: pytest.CaptureFixture[str
     path.write_text(TABLE, encoding="utf-8")
     assert main(["run", str(path)]) == 0
     shown = capsys.readouterr().out
-    assert "Verdict" in shown and f"All tables: edesign show {tmp_path / 'table.h5'} --all" in " ".join(shown.split())
+    assert "Verdict" in shown and f": edesign show {tmp_path / 'table.h5'} --all" in " ".join(shown.split())
     assert main(["show", str(tmp_path / "table.h5"), "--all"]) == 0
     shown = capsys.readouterr().out
     for title in (
