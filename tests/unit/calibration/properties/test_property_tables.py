@@ -38,6 +38,8 @@ from edesign.estimation.left_out import Difference
 from edesign.estimation.model import PredictionError
 from edesign.estimation.noise import Noise
 from edesign.estimation.parameters import coordinates_of
+from edesign.report.calibration.properties import property_calibration_figures
+from edesign.report.html.lettering import faults
 from tools.mgmm_steady import steady_loops, steady_moduli
 
 THESIS = """\
@@ -211,6 +213,8 @@ def test_a_peak_read_too_large_is_no_part_of_the_damper(tmp_path: Path) -> None:
     reported = json.loads(paths[0].read_text())
     assert reported["rms_relative_error"]["corrected"]["validate"]["G_eq"] < 0.01
     assert len(reported["rows"]["corrected"]["G_eq"]) == len(reported["rows"]["use"]) == 30
+    drawn = {name: faults(figure) for name, _, figure in property_calibration_figures(found)}
+    assert drawn and not any(drawn.values()), drawn
 
 
 @pytest.mark.slow

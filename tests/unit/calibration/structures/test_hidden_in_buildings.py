@@ -19,6 +19,8 @@ from edesign.calibration.structures.building import Building, Damping
 from edesign.calibration.structures.campaign import Isolation, StructureCampaign
 from edesign.calibration.structures.corrected import corrected_texts
 from edesign.calibration.structures.record import Channel, StructureTest
+from edesign.report.calibration.figures import calibration_figures
+from edesign.report.html.lettering import faults
 
 STEP, SAMPLES = 0.01, 700
 MASSES, STOREYS, RATIO = np.array([1e5, 1e5, 8e4]), np.array([9e7, 8e7, 6e7]), 0.03
@@ -173,6 +175,8 @@ def test_what_a_building_hides(made: Made, label: str, value: float, key: str, e
     reported = [block["ratio"], block["share"]] if key == "damping" else block
     assert [float(one.split()[0]) for one in reported] == pytest.approx(expected, rel=0.05)
     assert ("in no file: flexible_base.sway" in text) == (label == "flexible_base.sway")
+    drawn = {name: faults(figure) for name, _, figure in calibration_figures(found)}
+    assert drawn and not any(drawn.values()), drawn
 
 
 def test_what_an_isolation_layer_hides() -> None:
