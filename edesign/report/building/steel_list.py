@@ -126,7 +126,7 @@ def _splices(results: BuildingResults) -> int:
 
 def doublers_table(results: BuildingResults) -> Table:
     """Return the doubler plates that the web panels need, alike ones together; no rows where none is needed."""
-    return doubler_plates(_plates(results))
+    return doubler_plates(_plates(results), notes=("One plate a panel (EN 1998-1, 6.6.3(6)).",))
 
 
 def _plates(results: BuildingResults) -> dict[Plate, list[str]]:

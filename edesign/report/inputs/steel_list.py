@@ -59,10 +59,11 @@ DOUBLERS = TableSpec[dict[str, Value]](
         text("at", broken=1),
     ),
     notes=(
-        "One plate a panel; width between the fillets, height of the deepest beam at the joint. "
+        "Width between the fillets, height of the deepest beam at the joint. "
         "What a plate reaches beyond (EN 1993-1-8, 6.2.6.1(11)) is not in its mass.",
     ),
 )
+TOGETHER = "Thickness: of all plates of a panel together."
 NAMED = 6  # joints with a doubler plate that are named in a row
 OF_DAMPERS = "brace of dampers"
 KINDS = ("column", "beam", "brace", OF_DAMPERS)
@@ -149,12 +150,13 @@ def steel_list(
     return STEEL_LIST.of([*rows, whole] if rows else [], of=of, notes=wrapped(beside) if rows else [])
 
 
-def doubler_plates(found: Mapping[Plate, Sequence[str]], of: str = "") -> Table:
+def doubler_plates(found: Mapping[Plate, Sequence[str]], of: str = "", notes: Sequence[str] = ()) -> Table:
     """Return the doubler plates, alike ones together; no rows where there are none.
 
     Args:
         found: the joints of each.
         of: whose plates they are, for the title.
+        notes: what else is to be said of them.
     """
     rows: list[dict[str, Value]] = []
     for plate, nodes in sorted(found.items()):
@@ -170,7 +172,7 @@ def doubler_plates(found: Mapping[Plate, Sequence[str]], of: str = "") -> Table:
                 "at": ", ".join(nodes[:NAMED]) + (f" and {more} more" if more > 0 else ""),
             }
         )
-    return DOUBLERS.of(rows, of=of)
+    return DOUBLERS.of(rows, of=of, notes=notes if rows else ())
 
 
 def steel_tables(frames: VariantFrames) -> list[Table]:
@@ -198,7 +200,9 @@ def steel_tables(frames: VariantFrames) -> list[Table]:
         alike = [of for (which, _), of in lists.items() if which == dampers]
         what = " of the braces of dampers" * dampers
         tables += [steel_list(pieces, weights, {}, f"{what}{_whose(variants, alike)}") for pieces, variants in alike]
-    tables += [doubler_plates(found, _whose(variants, plates.values())) for found, variants in plates.values()]
+    tables += [
+        doubler_plates(found, _whose(variants, plates.values()), (TOGETHER,)) for found, variants in plates.values()
+    ]
     return [table for table in tables if table.rows]
 
 
