@@ -14,9 +14,6 @@ from edesign.study.results.checked_members import moments_inside
 from edesign.study.results.coordinates import bending_members
 from edesign.study.results.recording import SINGLE, Quantity, coordinate
 
-_LINE = np.array([STATIONS - 1.0, STATIONS])
-"""Internal moments between the ends, without loads there, over the moments on both ends."""
-
 
 class MomentEnvelope:
     """The largest and smallest internal moment of columns and beams at stations, over the steps of a run.
@@ -41,9 +38,11 @@ class MomentEnvelope:
     def see(self, abscissas: np.ndarray, values: Mapping[str, np.ndarray]) -> None:
         """See further steps; see `Observer`."""
         moments = values[self.needs[0]].reshape(len(abscissas), -1, 2)
-        start, end = moments[..., 0], moments[..., 1]
-        for k, (of_start, of_end) in enumerate(_LINE.T):
-            inside = of_start * start + of_end * end
+        start, end = np.ascontiguousarray(moments[..., 0]), moments[..., 1]  # inside: share end - (1 - share) start
+        both, inside = start + end, np.empty_like(start)
+        for k, share in enumerate(STATIONS):
+            np.multiply(both, share, out=inside)
+            inside -= start
             np.maximum(self._max[:, k], inside.max(axis=0), out=self._max[:, k])
             np.minimum(self._min[:, k], inside.min(axis=0), out=self._min[:, k])
 
