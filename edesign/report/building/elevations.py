@@ -147,7 +147,9 @@ def _beside(start: np.ndarray, end: np.ndarray) -> list[Spot]:
     angle = math.atan2(way[1], way[0])
     side = _BESIDE * np.array([-math.sin(angle), math.cos(angle)])
     level, upright = abs(way[1]) < 1e-6, abs(way[0]) < 1e-6
-    shares = (0.5,) if upright else (0.5, 0.3, 0.7) if level else (0.27, 0.73, 0.5)  # where crosses do not meet
+    shares = (
+        (0.5,) if upright else (0.5, 0.3, 0.7) if level else (0.27, 0.73, 0.23, 0.77, 0.5)
+    )  # where crosses do not meet
     spots = []
     for sign, va in ((1.0, "bottom"), (-1.0, "top")):
         for share in shares:

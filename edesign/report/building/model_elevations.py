@@ -23,9 +23,10 @@ from edesign.report.model.devices import DevicesOnSheet
 from edesign.report.model.elevation import Grid, draw_axes
 from edesign.report.model.ends import Line
 from edesign.report.model.figures import Named
+from edesign.report.model.members import name_column
 from edesign.report.model.sheet import Entry, Sheet, on_sheet, unwritten
 from edesign.report.model.supports import SIGNS, axes, draw_isolation, footing_words, support_entry
-from edesign.report.model.words import in_two_lines, section_words, several_steels, short, steels_of
+from edesign.report.model.words import section_words, several_steels, short, steels_of
 from edesign.space.structure.frame import Member, SpaceFrame
 
 _EQUAL = 1.0 - 1e-9  # a square or round column has no weak axis: its I_z is I_y but for rounding
@@ -229,12 +230,11 @@ def _sections(sheet: Sheet, members: Sequence[Member], ends: dict[str, Line], we
 
     columns = sorted((one for one in members if one.kind == "column"), key=middle)
     for (x, text), run in groupby(columns, key=lambda one: (middle(one)[0], words(one))):
-        ys = [middle(one)[1] for one in run]
+        alike = list(run)
+        ys = [middle(one)[1] for one in alike]
+        high = min(abs(end[1] - start[1]) for start, end in (ends[one.name] for one in alike))
         order = sorted(ys, key=lambda y: abs(y - 0.5 * (ys[0] + ys[-1])))
-        spots = [Spot(x - 0.04, y, "center", "bottom", 90.0) for y in order]
-        spots += [Spot(x + 0.04, y, "center", "top", 90.0) for y in order]
-        spots += [Spot(x + 0.04, y, "left") for y in order] + [Spot(x - 0.04, y, "right") for y in order]
-        if not sheet.place(spots, in_two_lines(text)):
+        if not name_column(sheet, [(x, y) for y in order], text, high):
             yield f"column {next(one.name for one in columns if middle(one) == (x, ys[0]))}: {text}"
     beams = sorted((one for one in members if one.kind == "beam"), key=lambda one: middle(one)[::-1])
     for (y, text), run in groupby(beams, key=lambda one: (middle(one)[1], words(one))):

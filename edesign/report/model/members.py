@@ -12,7 +12,7 @@ from edesign.project.project import Project
 from edesign.report.drawing.frame_drawing import STEEL, FrameElevation
 from edesign.report.model.boxes import Spot
 from edesign.report.model.elevation import Elevation
-from edesign.report.model.sheet import INK, Entry, Point, Sheet
+from edesign.report.model.sheet import INK, SMALLEST, Entry, Point, Sheet
 from edesign.report.model.words import in_two_lines, several_steels
 
 _BUCKLES, _TENSION = (0, (7, 1.5, 1.5, 1.5)), (0, (4, 2))
@@ -109,10 +109,8 @@ class _Sections:
                 centre = 0.5 * (middles[0] + middles[-1])
                 heights = sorted(middles, key=lambda y: abs(y - centre))
                 at = [place.at(x, y) for y in heights]
-                spots = [Spot(a - 0.04, b, "center", "bottom", 90.0) for a, b in at]
-                spots += [Spot(a + 0.04, b, "center", "top", 90.0) for a, b in at]
-                spots += [Spot(a + 0.04, b, "left") for a, b in at] + [Spot(a - 0.04, b, "right") for a, b in at]
-                if not self._sheet.place(spots, in_two_lines(text)):
+                high = min(place.storey(s) for s in storeys)
+                if not name_column(self._sheet, at, text, high):
                     yield f"column {line}, {_numbers('storey', storeys)}: {text}"
 
     def beams(self) -> Iterator[str]:
@@ -159,6 +157,24 @@ class _Sections:
         if not isinstance(run, BraceRun) and run.axis == "weak":
             parts.append("(weak axis)")
         return " ".join(parts)
+
+
+def name_column(sheet: Sheet, at: Sequence[Point], text: str, high: float) -> bool:
+    """Write the section of equal columns beside one of them, upright; where it is longer than a storey, also level.
+
+    Args:
+        at: the middles of the columns, the best first, inches.
+        high: of their lowest storey, inches.
+
+    Returns:
+        Whether there was room.
+    """
+    spots = [Spot(x - 0.04, y, "center", "bottom", 90.0) for x, y in at]
+    spots += [Spot(x + 0.04, y, "center", "top", 90.0) for x, y in at]
+    ways = in_two_lines(text)
+    if not all(sheet.fits(line, high, SMALLEST) for line in ways[-1].split("\n")):
+        spots += [Spot(x + 0.04, y, "left") for x, y in at] + [Spot(x - 0.04, y, "right") for x, y in at]
+    return sheet.place(spots, ways)
 
 
 def _numbers(what: str, found: Sequence[int]) -> str:
