@@ -12,6 +12,7 @@ from edesign.project.actions.hazard_base import Hazard
 from edesign.project.project import Project
 from edesign.report.archive_view import all_results, entry, input_warnings
 from edesign.report.archived import archived_base, archived_frame, archived_hazard
+from edesign.report.building.elastic_uses import elastic_uses
 from edesign.report.capacity.pushover_tables import target_tables
 from edesign.report.design.isolation_tables import isolation_estimate_table, isolation_table
 from edesign.report.ground_motion.record_tables import tables_of
@@ -45,7 +46,7 @@ def project_tables(archive: Archive) -> list[Table]:
     tables += [measures_table(entries), isolation_table(groups), dampers_table(groups), *restrained_tables(groups)]
     tables += ground_tables(groups)
     tables += torsion_tables(history_sets(groups))
-    tables += member_tables(history_sets(groups), archived_hazard(archive), archived_frame(archive))
+    tables += member_tables(archive, history_sets(groups), archived_hazard(archive))
     tables.append(statistics_table(entries))
     tables += _steel(archive)
     return [table for table in tables if table.rows or table.notes]
@@ -60,9 +61,11 @@ def _steel(archive: Archive) -> list[Table]:
         return []
 
 
-def member_tables(sets: Sequence[HistorySet], hazard: Hazard | None, frame: Project | None = None) -> list[Table]:
+def member_tables(archive: Archive, sets: Sequence[HistorySet], hazard: Hazard | None) -> list[Table]:
     """Return the tables of what the forces of histories do to members and supports."""
-    return [use_in_short(sets, hazard, frame), *use_tables(sets, hazard, frame), *support_tables(sets, hazard)]
+    frame = archived_frame(archive)
+    uses = use_tables(sets, hazard, frame, elastic_uses(archive))
+    return [use_in_short(sets, hazard, frame), *uses, *support_tables(sets, hazard)]
 
 
 def warnings_table(archive: Archive, groups: Mapping[str, Group] | None = None) -> Table:

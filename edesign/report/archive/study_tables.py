@@ -14,7 +14,7 @@ from edesign.assess.verdicts import judge
 from edesign.errors import EdesignError
 from edesign.report.archive.project_tables import member_tables
 from edesign.report.archive_view import all_results, ending, results, statistics
-from edesign.report.archived import archived_frame, archived_study
+from edesign.report.archived import archived_study
 from edesign.report.assessment.change_tables import changes_table
 from edesign.report.assessment.derived_results import not_swept
 from edesign.report.assessment.derived_tables import derived_tables
@@ -130,7 +130,7 @@ def study_tables(archive: Archive) -> list[Table]:
         tables.append(objectives_table(of_objectives, study.objectives, study.base))
     tables += incremental_tables(archive, groups)
     tables += ground_tables(groups)
-    tables += member_tables(not_swept(study, sets), study.base.hazard, archived_frame(archive))
+    tables += member_tables(archive, not_swept(study, sets), study.base.hazard)
     return [table for table in tables if table.rows or table.notes]
 
 

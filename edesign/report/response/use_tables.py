@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
+from types import MappingProxyType
 
 from edesign.assess.member_uses import (
     BeamForces,
@@ -90,9 +91,9 @@ class _Beside:
     elastic: ElasticUse
 
     @property
-    def across(self) -> str:
+    def across(self) -> str | None:
         """Frames across to whose bracing a column belongs."""
-        return "" if self.elastic.across is None else ", ".join(self.elastic.across.frames)
+        return None if self.elastic.across is None else ", ".join(self.elastic.across.frames)
 
     @property
     def N(self) -> float | None:
@@ -218,17 +219,22 @@ def _uses(sets: Sequence[HistorySet], hazard: Hazard | None, frame: Project | No
     return found
 
 
-def use_tables(sets: Iterable[HistorySet], hazard: Hazard | None, frame: Project | None = None) -> Iterator[Table]:
+def use_tables(
+    sets: Iterable[HistorySet],
+    hazard: Hazard | None,
+    frame: Project | None = None,
+    elastic: Mapping[str, ElasticUse] = MappingProxyType({}),
+) -> Iterator[Table]:
     """Return the tables of each set of histories: the worst member of each storey, and all beyond 1.
 
-    Of frames that are taken out of a building the use in its elastic design stands beside.
+    The use in the elastic design of the building stands beside, where it is known.
 
     Args:
         sets: those of archives that do not know uses are left out.
         hazard: of the file, whose code says what counts of several motions.
         frame: its project, whose `design` names members that are to yield; None: it is a building.
+        elastic: uses of the elastic design of the building by member; halves of a beam have that of the beam.
     """
-    elastic = {} if frame is None or frame.design is None else frame.design.elastic_use
     for uses in _uses(list(sets), hazard, frame):
         places: dict[tuple[str, int], _Use] = {}
         for one in uses.rows:
@@ -259,7 +265,8 @@ def _beside(uses: _Uses, worst: Sequence[LoadedMember], elastic: Mapping[str, El
         if columns:
             most = max(columns, key=lambda one: one.across or 0.0)
             chosen[most.name] = most
-    rows = [_Beside(member, elastic[name]) for name, member in chosen.items() if name in elastic]
+    known = {name: elastic.get(name, elastic.get(name.rpartition("_")[0])) for name in chosen}
+    rows = [_Beside(chosen[name], of) for name, of in known.items() if of is not None]
     return sorted(rows, key=lambda row: (KINDS.index(row.member.kind), row.member.storey))
 
 

@@ -155,12 +155,13 @@ def test_members_meant_to_yield_and_uses_of_the_elastic_design() -> None:
     for group in found[0].histories.values():
         group.variables["member_use_max"].values[2] = 1.3
         group.add("across_use_max", ("member",), np.array([1.2, np.nan, np.nan]), "1", "")
-    tables = list(use_tables(found, None, frame))
+    assert frame.design is not None
+    tables = list(use_tables(found, None, frame, frame.design.elastic_use))
     assert [table.name for table in tables] == ["member_use", "elastic_use"]
     rows = [row[:7] for row in tables[1].texts]
     assert rows == [
         ["column", "1", "C_A_1", "0.70", "0.80", "YA", "500"],
-        ["beam", "1", "B_1_1", "1.30", "0.70", "", "-"],
+        ["beam", "1", "B_1_1", "1.30", "0.70", "-", "-"],
     ]
     assert tables[1].column("with it")[0] == pytest.approx(1.2)
     notes = " ".join(use_in_short(found, None, frame).notes)

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from edesign.assess.sets import HistorySet
-from edesign.project.actions.hazard_base import Hazard
-from edesign.project.project import Project
 from edesign.report.archived import archived_frame, archived_hazard
 from edesign.report.assessment.change_tables import changes_table
 from edesign.report.assessment.measure_tables import record_measures_table, statistics_tables
+from edesign.report.building.elastic_uses import elastic_uses
 from edesign.report.drawing.captions import at_level
 from edesign.report.html.section import Folded, Part, Section
 from edesign.report.model.force_envelopes import force_envelopes
@@ -41,7 +40,7 @@ def response(source: Source) -> Section:
         table = measures_table(source.entries)
         parts += [table] if table.rows else []
     parts += torsion_tables(sets)
-    parts += _members(sets, archived_hazard(source.archive), archived_frame(source.archive))
+    parts += _members(source, sets)
     parts += headed(source.pictures(interaction_figures), source.levels)
     if forces := source.pictures(force_envelopes):
         parts.append(Folded(f"Axial force, shear and moment along members ({len(forces)})", forces))
@@ -51,11 +50,13 @@ def response(source: Source) -> Section:
     return Section("response", "Peak response", (), tuple(parts))
 
 
-def _members(sets: list[HistorySet], hazard: Hazard | None, frame: Project | None) -> list[Part]:
+def _members(source: Source, sets: list[HistorySet]) -> list[Part]:
     """Return how far members are used, the worst of each storey and all beyond 1, and the reactions of supports."""
+    hazard, frame = archived_hazard(source.archive), archived_frame(source.archive)
+    uses = tuple(use_tables(sets, hazard, frame, elastic_uses(source.archive)))
     parts: list[Part] = []
     for said, tables in (
-        ("Use of columns, beams and braces, of each storey and beyond 1", tuple(use_tables(sets, hazard, frame))),
+        ("Use of columns, beams and braces, of each storey and beyond 1", uses),
         ("Reactions of supports for foundations", tuple(support_tables(sets, hazard))),
     ):
         parts += [Folded(said, tables)] if tables else []
