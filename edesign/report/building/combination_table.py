@@ -20,7 +20,7 @@ COMBINATIONS = TableSpec[dict[str, str]](
     (text("no.", broken=1), formula("combination", broken=2), formula("situation"), text("EN 1990")),
     keys=4,
 )
-SWAY = TableSpec[Row](
+SWAY = TableSpec[dict[str, object]](
     "sway",
     "Sway in persistent combinations",
     (
@@ -107,7 +107,7 @@ def sway_table(results: BuildingResults) -> Table:
             phi = row.get(f"initial_sway_{axis}")
             row[f"inverse_{axis}"] = 1.0 / phi if isinstance(phi, float) and phi > 0.0 else None
         rows.append(row)
-    notes = _notes([{"combination": str(row["combination"])} for row in rows], labels, "persistent")
+    notes = _notes([{"combination": str(row["combination"])} for row in rows], labels, "building_by_persistent")
     notes += [f"{key}: {of.long_name}" for key, of in known.items() if not key.startswith("initial")]
     return SWAY.of(rows, notes=notes)
 
@@ -171,7 +171,7 @@ def _ranges(numbers: Sequence[int]) -> str:
 
 
 def _notes(
-    rows: Sequence[dict[str, str]], labels: dict[tuple[str, ...], str], dimension: str = "combination"
+    rows: Sequence[dict[str, str]], labels: dict[tuple[str, ...], str], table: str = "building_by_combination"
 ) -> list[str]:
     names = [row["combination"] for row in rows]
     found = [f"{label}: {'one of ' * (len(among) > 1)}{', '.join(among)}" for among, label in labels.items()]
@@ -179,5 +179,5 @@ def _notes(
         what = "S: sway imperfection along x or y" if symbol[0] == " " else "S_x, S_y: sway imperfections"
         found.append(f"{what}, of the combination that they stand in; P_Delta: its sway amplified")
     if any("[" in name for name in names):
-        found.append(f"one by one: `edesign export`, table building_by_{dimension}")
+        found.append(f"one by one: `edesign export`, table {table}")
     return found

@@ -104,6 +104,8 @@ def _wishes(selection: Selection) -> list[str]:
     ]
     if not free.best.met:
         return [f"wishes: {', '.join(asked)}; without them no choice was found that meets all checks"]
+    if selection.cost < free.best.cost * (1.0 - 1e-12):  # what is allowed with them is allowed without
+        return [f"wishes: {', '.join(asked)}; they cost nothing: without them nothing better was found"]
     more = [f"{significant((selection.mass - free.best.mass) / 1e3)} t of steel"]
     if select.objective == "cost":
         more.append(f"{significant(selection.cost - free.best.cost)} of the price")

@@ -105,11 +105,11 @@ class Search:
                 climbed = self._climbed(self._approached(point))
                 self._share = 0.5 * done / points
                 if climbed.met:
+                    fruitful += 1
                     met.append((name, climbed))
                     self._said(f"all checks met with {climbed.mass / 1e3:.2f} t")
                 else:
                     self._said("no choice found that meets all checks")
-            fruitful = len(met)
             for done, (name, climbed) in enumerate(sorted(met, key=lambda pair: pair[1].cost), 1):
                 self._at = name
                 lightest = self._descended(climbed)

@@ -282,12 +282,15 @@ def _held_by(evaluate: Evaluator, order: Sequence[tuple[int, int]], choice: Choi
     return broken[0] if broken else "nothing alone: its list goes on below, but a lighter design was not found"
 
 
-def _broken(evaluate: Evaluator, design: ElasticDesign) -> list[str]:
-    """The checks that a design does not meet, in words: the worst groups, then rules for the building."""
+def _broken(evaluate: Evaluator, design: ElasticDesign, each: bool = False) -> list[str]:
+    """The checks that a design does not meet, in words: the worst groups, then rules for the building.
+
+    `each`: with Omega of each group of diagonals where it differs too much.
+    """
     rules = [
         f"{rule.text}{f' ({rule.detail})' if rule.detail else ''}: "
         f"{', limit '.join(told_apart(rule.value, rule.required, lambda of, digits: f'{of:.{digits}g}'))} "
-        f"({rule.reference}){_of_diagonals(design, rule)}"
+        f"({rule.reference}){_of_diagonals(design, rule) if each else ''}"
         for rule in evaluate.broken(design)
     ]
     checks = [(group, governing_check(design, group.name)) for group in evaluate.groups]
@@ -324,7 +327,7 @@ def _in_the_way(building: Building, evaluate: Evaluator, found: Found) -> str:
         f"{where}: the search found no sections of the lists that meet all checks ({evaluate.count} designs analysed), "
         f"which is no proof that there are none; the nearest, {best.mass / 1e3:.1f} t of steel, are "
         f"{', '.join(f'{name} {of}' for name, of in sections.items())}",
-        *(f"in the way: {text}" for text in _broken(evaluate, design)),
+        *(f"in the way: {text}" for text in _broken(evaluate, design, each=True)),
         *heaviest,
         *_nearer(evaluate, best),
         "its evaluations are used up; allow more by `evaluations` [E-SPACE-07]"

@@ -15,6 +15,7 @@ from edesign.errors import InputError
 from edesign.frame.sections.steel_section import steel_section
 from edesign.one_thread import one_thread
 from edesign.project.building import Building
+from edesign.report.building.selection_tables import selection_tables
 from edesign.space.elastic_design import ElasticAnalysis
 from edesign.space.selection.evaluate import Evaluation, Evaluator
 from edesign.space.selection.groups import Group, groups_of
@@ -169,3 +170,16 @@ def test_a_model_of_single_exchanges_finds_the_best_of_many_together() -> None:
 def _group(areas: np.ndarray) -> Group:
     sizes, cost = tuple(f"S{k}" for k in range(len(areas))), tuple(areas.tolist())
     return Group("G", "beam", "S275", sizes, cost, cost, cost, (), ((),) * len(sizes), ())
+
+
+def test_wishes_that_come_out_cheaper_cost_nothing() -> None:
+    """A search without them that was cut short may hold worse sections; these are allowed with the wishes, too."""
+    file = building(frames(1).text.replace("    lists:", "    most_sections: {all: 9}\n    lists:"))
+    with one_thread():
+        found = select_sections(file)
+    assert found.free is not None
+    for more, words in ((1.0, "they cost 0.000 t of steel"), (1.1, "they cost nothing: without them nothing better")):
+        worse = replace(found.free.best, cost=more * found.cost)
+        tables = selection_tables(replace(found, free=replace(found.free, best=worse)))
+        (told,) = [note for note in tables[-1].notes if note.startswith("wishes: ")]
+        assert words in told
