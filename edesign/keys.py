@@ -15,8 +15,11 @@ Value = str | float | Sequence[Any]
 # fmt: off
 # ruff: noqa: E501, UP013
 AccelerationRange = TypedDict("AccelerationRange", {"count": Any, "from": Any, "to": Any}, total=False)
+AcrossBracing = TypedDict("AcrossBracing", {"frames": Any, "N": Any}, total=False)
 ActionFactors = TypedDict("ActionFactors", {"G_sup": Any, "G_inf": Any, "Q": Any, "xi": Any}, total=False)
 AddedMass = TypedDict("AddedMass", {"at": Any, "floors": Any, "mass": Any}, total=False)
+AnyChosenBrace = TypedDict("AnyChosenBrace", {"choose": Any, "material": Any, "buckling_length_factor": Any,
+    "overstrength": Any, "largest_slenderness": Any}, total=False)
 Areas = TypedDict("Areas", {"floors": Any, "bays": 'Panels | Sequence[Panels] | Value', "G": Any, "G2": Any, "Q": Any,
     "category": Any, "spans": Any, "secondary_beams": Any, "secondary_section": Any,
     "secondary_material": Any}, total=False)
@@ -62,7 +65,8 @@ BuildingBeamRun = TypedDict("BuildingBeamRun", {"along": Any, "frames": Any, "ba
     "section": Any, "material": Any, "ends": Any, "stiffness_factor": Any, "slab": 'BeamSlab',
     "group": Any}, total=False)
 BuildingBraceRun = TypedDict("BuildingBraceRun", {"along": Any, "frames": Any, "bays": Any, "storeys": Any,
-    "kind": Any, "section": Any, "material": Any, "compression": Any, "group": Any}, total=False)
+    "kind": Any, "link": Any, "section": Any, "material": Any, "law": Any, "compression": Any,
+    "group": Any}, total=False)
 BuildingColumnPlaces = TypedDict("BuildingColumnPlaces", {"at": Any, "storeys": Any}, total=False)
 BuildingColumnRun = TypedDict("BuildingColumnRun", {"at": Any, "storeys": Any, "section": Any, "material": Any,
     "strong": Any, "group": Any}, total=False)
@@ -105,7 +109,8 @@ CaseBeamLoad = TypedDict("CaseBeamLoad", {"along": Any, "frames": Any, "bays": A
 CaseNodeForce = TypedDict("CaseNodeForce", {"at": Any, "floors": Any, "x": Any, "y": Any, "down": Any}, total=False)
 CatalogueItem = TypedDict("CatalogueItem", {"law": Any, "number": Any, "layers": Any, "layer_area": Any,
     "layer_thickness": Any, "scale": Any, "design_deformation": Any,
-    "brace": 'BraceStiffness | BraceSection | ChosenBrace | Value', "kind": Any, "cost": Any}, total=False)
+    "brace": 'BraceStiffness | BraceSection | ChosenBrace | AnyChosenBrace | Value', "kind": Any,
+    "cost": Any}, total=False)
 CaugheyDamping = TypedDict("CaugheyDamping", {"kind": 'Literal["caughey"]', "ratio": Any, "modes": Any, "periods": Any,
     "state": Any}, total=False)
 ChosenBrace = TypedDict("ChosenBrace", {"choose": Any, "material": Any, "buckling_length_factor": Any,
@@ -122,6 +127,7 @@ ColumnRun = TypedDict("ColumnRun", {"lines": Any, "storeys": Any, "section": Any
 Columns = TypedDict("Columns", {"time": Any, "acceleration": Any}, total=False)
 Combination = TypedDict("Combination", {"G": Any, "Q": Any}, total=False)
 Costs = TypedDict("Costs", {"place": Any, "storey": Any, "bay": Any}, total=False)
+CoverPlates = TypedDict("CoverPlates", {"width": Any, "thickness": Any}, total=False)
 CurveOfIntensities = TypedDict("CurveOfIntensities", {"intensities": Any, "return_periods": Any}, total=False)
 CurveOfLevels = TypedDict("CurveOfLevels", {"levels": Any}, total=False)
 DamperBetween = TypedDict("DamperBetween", {"law": Any, "number": Any, "layers": Any,
@@ -147,8 +153,10 @@ Design = TypedDict("Design", {"code": 'Codes', "level": Any, "ductility_class": 
     "select": 'Select'}, total=False)
 DesignPlaces = TypedDict("DesignPlaces", {"kind": Any, "frames": Any, "bays": Any, "storeys": Any}, total=False)
 DesignedBrace = TypedDict("DesignedBrace", {"choose": Any, "material": Any, "buckling_length_factor": Any,
-    "overstrength": Any, "largest_slenderness": Any, "ratio": Any, "level": Any}, total=False)
+    "overstrength": Any, "largest_slenderness": Any, "ratio": Any, "same_depth": Any, "most_sections": Any,
+    "level": Any}, total=False)
 Details = TypedDict("Details", {"records": Any, "histories": Any, "members": Any}, total=False)
+Dissipative = TypedDict("Dissipative", {"beams": 'Sequence[BeamPlaces]', "braces": Any}, total=False)
 Document = TypedDict("Document", {"client": Any, "project_number": Any, "author": Any, "checker": Any, "revision": Any,
     "date": Any, "notes": Any}, total=False)
 DriftAmplitude = TypedDict("DriftAmplitude", {"drift": Any}, total=False)
@@ -158,6 +166,8 @@ EC8Hazard = TypedDict("EC8Hazard", {"code": 'Literal["ec8-2004"]', "damping": An
 Effect = TypedDict("Effect", {"name": Any, "form": Any, "placement": Any, "parameters": Any}, total=False)
 ElasticMaterial = TypedDict("ElasticMaterial", {"law": 'Literal["elastic"]', "E": Any}, total=False)
 ElasticSection = TypedDict("ElasticSection", {"area": Any, "inertia": Any}, total=False)
+ElasticUse = TypedDict("ElasticUse", {"use": Any, "check": Any, "combination": Any,
+    "across": 'AcrossBracing'}, total=False)
 Elements = TypedDict("Elements", {"integration_points": Any, "geometry": 'Geometry',
     "rigid_ends": 'RigidEnds'}, total=False)
 EqualAreas = TypedDict("EqualAreas", {"count": Any, "value": Any}, total=False)
@@ -197,10 +207,11 @@ FootingSupport = TypedDict("FootingSupport", {"footing": 'Footing'}, total=False
 Fracture = TypedDict("Fracture", {"strain": Any, "exponent": Any}, total=False)
 Frame = TypedDict("Frame", {"bays": 'Sequence[EqualBays | Value] | EqualBays',
     "storeys": 'Sequence[EqualStoreys | Value] | EqualStoreys', "axes": Any, "in_building": Any,
-    "supports": 'Mapping[str, SupportSprings | FootingSupport | Value] | Value', "diaphragms": Any,
-    "columns": 'Sequence[ColumnRun]', "beams": 'Sequence[BeamRun]', "braces": 'Sequence[BraceRun]',
+    "left_in_building": Any, "supports": 'Mapping[str, SupportSprings | FootingSupport | Value] | Value',
+    "diaphragms": Any, "columns": 'Sequence[ColumnRun]', "beams": 'Sequence[BeamRun]', "braces": 'Sequence[BraceRun]',
     "missing": 'Missing', "releases": 'Sequence[Release]', "leaning_column": 'LeaningColumn'}, total=False)
-FrameDesign = TypedDict("FrameDesign", {"members": 'MemberStability', "partial_factors": 'SteelFactors'}, total=False)
+FrameDesign = TypedDict("FrameDesign", {"members": 'MemberStability', "partial_factors": 'SteelFactors',
+    "dissipative": 'Dissipative', "elastic_use": 'Mapping[str, ElasticUse]'}, total=False)
 FramePushover = TypedDict("FramePushover", {"pattern": 'GivenPattern | Sequence[GivenPattern | Value] | Value',
     "direction": Any, "roof_drift": Any, "steps": Any, "targets": Any, "levels": Any, "damping": Any,
     "site_class": Any, "name": Any, "variant": Any, "dampers": Any, "kind": 'Literal["pushover"]'}, total=False)
@@ -285,7 +296,8 @@ MeasureCriterion = TypedDict("MeasureCriterion", {"name": Any, "source": Any, "v
     "statistic": Any, "share": Any, "storeys": Any, "direction": Any, "at": Any, "frames": Any, "axis": Any,
     "measure": Any, "most": Any, "least": Any, "members": Any}, total=False)
 MemberChecks = TypedDict("MemberChecks", {"interaction": Any, "buckling_length": 'PlacedBucklingLength',
-    "lateral_restraint": 'LateralRestraint', "yield_by_thickness": Any, "doubler_plates": Any}, total=False)
+    "lateral_restraint": 'LateralRestraint', "yield_by_thickness": Any, "doubler_plates": Any,
+    "beams_beside_links": Any}, total=False)
 MemberStability = TypedDict("MemberStability", {"interaction": Any, "buckling_length": 'BucklingLength',
     "lateral_restraint": 'LateralRestraint', "yield_by_thickness": Any}, total=False)
 MenegottoPintoMaterial = TypedDict("MenegottoPintoMaterial", {"law": 'Literal["menegotto_pinto"]', "E": Any, "fy": Any,
@@ -333,7 +345,7 @@ PlacedBucklingLength = TypedDict("PlacedBucklingLength", {"columns": 'LengthFact
 PlacedLengthFactors = TypedDict("PlacedLengthFactors", {"y": Any, "z": Any, "kind": Any, "groups": Any,
     "storeys": Any}, total=False)
 PlacementDesign = TypedDict("PlacementDesign", {"method": 'Literal["placement"]', "kind": Any, "bays": Any,
-    "places": 'Sequence[CandidatePlaces]', "storeys": Any, "catalogue": Any, "costs": 'Costs',
+    "places": 'Sequence[CandidatePlaces]', "storeys": Any, "beside": Any, "catalogue": Any, "costs": 'Costs',
     "limits": 'LayoutLimits', "temperature": Any, "state": Any, "level": Any, "inherent_damping": Any, "monotone": Any,
     "verify": 'PlacementVerify'}, total=False)
 PlacementVerify = TypedDict("PlacementVerify", {"records": Any, "levels": Any, "criteria": Any, "free_vibration": Any,
@@ -352,7 +364,7 @@ Pushovers = TypedDict("Pushovers", {"eccentricity": Any, "eccentricity_ratio": A
     "variants": Any}, total=False)
 QuantityCriterion = TypedDict("QuantityCriterion", {"name": Any, "source": Any, "variants": Any, "levels": Any,
     "statistic": Any, "share": Any, "storeys": Any, "direction": Any, "at": Any, "frames": Any, "axis": Any,
-    "quantity": Any, "most": Any, "least": Any, "floors": Any, "members": Any, "dampers": Any, "lines": Any,
+    "quantity": Any, "most": Any, "least": Any, "floors": Any, "members": Any, "of": Any, "dampers": Any, "lines": Any,
     "side": Any, "frequency": Any, "damping": Any, "term": Any}, total=False)
 RayleighDamping = TypedDict("RayleighDamping", {"kind": 'Literal["rayleigh"]', "ratio": Any, "modes": Any,
     "periods": Any, "stiffness": Any, "state": Any}, total=False)
@@ -365,6 +377,8 @@ Resample = TypedDict("Resample", {"time_step": Any}, total=False)
 ResistanceFactors = TypedDict("ResistanceFactors", {"M0": Any, "M1": Any, "M2": Any}, total=False)
 RestrainedFloors = TypedDict("RestrainedFloors", {"floors": Any, "ux": Any, "uy": Any, "rz": Any}, total=False)
 RigidEnds = TypedDict("RigidEnds", {"columns": Any, "beams": Any}, total=False)
+RivetedSection = TypedDict("RivetedSection", {"height": Any, "web": Any, "angles": Any, "outstanding": Any,
+    "covers": 'CoverPlates'}, total=False)
 RoofAmplitude = TypedDict("RoofAmplitude", {"roof_displacement": Any}, total=False)
 SectionLists = TypedDict("SectionLists", {"columns": Any, "beams": Any, "braces": Any, "groups": Any}, total=False)
 SectionOutput = TypedDict("SectionOutput", {"member": Any, "points": Any}, total=False)
@@ -425,7 +439,7 @@ SuiteRecords = TypedDict("SuiteRecords", {"match": 'Matching', "suite": Any, "fo
 SuiteSource = TypedDict("SuiteSource", {"suite": Any, "folders": Any, "simulated_records": Any}, total=False)
 SupportSprings = TypedDict("SupportSprings", {"horizontal": 'YieldingTranslation | Value',
     "vertical": 'VerticalSpring | Value', "rotation": 'YieldingRotation | Value'}, total=False)
-System = TypedDict("System", {"type": Any, "q": Any, "alpha_u_over_alpha_1": Any}, total=False)
+System = TypedDict("System", {"type": Any, "q": Any, "q_source": Any, "alpha_u_over_alpha_1": Any}, total=False)
 Systems = TypedDict("Systems", {"x": 'System', "y": 'System'}, total=False)
 TableFormat = TypedDict("TableFormat", {"encoding": Any, "skip": Any, "headers": Any, "units_row": Any,
     "delimiter": Any, "decimal": Any}, total=False)

@@ -67,7 +67,6 @@ def velocity(found: HistorySet, whole: Callable[[str], Group], devices: Sequence
 
     Args:
         found: with the extremes of their dampers.
-        whole: reads a history with what it kept over time.
         devices: that are alike.
     """
     values = {}

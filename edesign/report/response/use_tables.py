@@ -138,9 +138,9 @@ ELASTIC = TableSpec[_Beside](
 )
 MEANT = "Meant to yield, judged by their plastic deformations, and so never listed as beyond 1:"
 ACROSS = (
-    "N across: compression that the seismic action across the frame brings to columns of a bracing there, in the "
-    "combinations in which that along the frame leads. With it: use of the column under the forces of the histories "
-    "with this compression."
+    "N across: compression that the seismic action across the frame brings to columns of a bracing there, with its "
+    "factor in the combinations in which that along the frame leads, overstrength included. With it: use of the column "
+    "under the forces of the histories with this compression."
 )
 
 

@@ -141,5 +141,7 @@ def test_columns_read_attributes_of_attributes_where_they_are_known() -> None:
 def test_all_tables_are_found_by_their_names() -> None:
     """None has the name of another, which the function refuses."""
     sources = (path.read_text(encoding="utf-8") for path in (Path(edesign.__file__).parent / "report").rglob("*.py"))
-    declared = sum(len(re.findall(r"^[A-Z_0-9]+ = (?:TableSpec\[|_table\()", source, re.MULTILINE)) for source in sources)
+    declared = sum(
+        len(re.findall(r"^[A-Z_0-9]+ = (?:TableSpec\[|_table\()", source, re.MULTILINE)) for source in sources
+    )
     assert declared == len(tables_by_name())
