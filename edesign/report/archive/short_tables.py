@@ -125,7 +125,7 @@ def _of_study(archive: Archive, study: Study, groups: dict[str, Group]) -> list[
         governing += others
     shown = not_swept(study, sets)
     use = use_in_short(shown, study.base.hazard, archived_frame(archive))
-    tables += [*governing, use, response_in_short(shown), changes_in_short(shown)]
+    tables += [*governing, use, changes_in_short(shown), response_in_short(shown)]
     tables += [isolation_statistics_table(sets), *derived_tables(study, sets)]
     tables.append(states_table(study.base, groups, study, STATES_IN_SHORT))
     return tables + incremental_tables(archive, groups)

@@ -30,7 +30,7 @@ from edesign.report.tables.text import PAPER, fitted, plain
 from edesign.study.results.warnings import warnings_of
 
 SCREEN = 40  # lines
-LAST = 2  # of them for the line that says where the rest is
+LAST = 1  # of them for the line that says where the rest is
 LEAST = 4  # tables beside warnings, however long they are: of a study heading, verdicts, what governs, uses
 HEADING = TableSpec[tuple[str, str]](
     "heading",
