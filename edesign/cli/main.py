@@ -102,7 +102,7 @@ class _Commands(LazyGroup):
         ),
         "sections": (
             "edesign.cli.sections",
-            "Print the rolled sections that a project may name, with their properties.",
+            "Print the sections that a file may name, with their properties.",
         ),
         "laws": ("edesign.cli.laws", "Print the damper laws, or one law's parameters with unit, bounds and default."),
         "effects": (

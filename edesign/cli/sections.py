@@ -28,7 +28,10 @@ def sections(
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON in SI units instead of a table.")] = False,
     csv: Annotated[Path | None, typer.Option("--csv", metavar="FILE", help="Write the table.")] = None,
 ) -> None:
-    """Print the sections that a file may name, with their properties; hollow ones of any size by their name."""
+    """Print the sections that a file may name, with their properties.
+
+    Hollow ones of any size are printed by their name.
+    """
     if csv is not None:
         check_csv(csv)
     found = chosen_sections(what)

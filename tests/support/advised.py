@@ -1267,7 +1267,7 @@ OTHER_PARTS = (
         "which are not kept; add `supports` to `outputs: histories`",
         ("histories: [floors]", "histories: [floors, supports]"),
     ),
-    _row("study", ("most: 2 %}", "mots: 2 %}"), "did you mean `most`?", ("mots", "most")),
+    _row("study", ("most: 2 %, statistic", "mots: 2 %, statistic"), "did you mean `most`?", ("mots", "most")),
 )
 
 OTHER_PARTS += (
@@ -1327,7 +1327,7 @@ LEFT = {
         "has area and inertia but no depth", "without `masses` there is no first period",
         "write `design: ", "give plates or `rectangles`", "see `integration: time_step` and `outputs: every`",
         "does not yield, so that nothing limits its braces; give one with `fy`",
-        "`statistic: maximum` is on the safe side", "and the project has no `hazard`; give it one with such a level",
+        "`statistic: code`, the default, takes", "and the project has no `hazard`; give it one with such a level",
     ),
     "it is of places in buildings; tests/unit/project/test_placement_in_buildings.py, test_placement_designs.py provoke it": (
         "give `places` with their bays", "give `bays`, this is of a building",
@@ -1340,6 +1340,14 @@ LEFT = {
         "stands on an isolator, and on a footing by `supports`",
         "isolate them, or let them slide: `ux: free, uy: free`", "at different temperatures; give each of them a law of its own",
         "nothing connects the rectangles between",
+    ),
+    "it is of bracings of buildings; tests/unit/space/test_seismic_links.py, test_restrained_buildings.py provoke it": (
+        "braces have a `link`, and", "are other braces than buckling-restrained ones",
+        "has no behaviour factor of buckling-restrained braces", "is not in the rules of",
+        "analyses in space have buckling-restrained braces as",
+    ),
+    "it is of sections of buildings; tests/unit/space/test_riveted_sections.py, test_restrained_buildings.py provoke it": (
+        "has unequal legs: say which stands out", "write it like `L80x80x10`", "name the areas of cores in cm2 one by one",
     ),
     "it is of designs by NTC 2018; tests/unit/space/test_ntc_buildings.py provokes it": (
         "; both are of one code, as with", "take this key out of a design by `ntc-2018`",

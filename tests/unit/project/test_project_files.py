@@ -111,6 +111,8 @@ def test_every_key_is_documented() -> None:
         "incremental",
         "reference_files",
         "building_file",
+        "members_under_dampers",
+        "restrained_buildings",
         "section_selection",
         "rts_file",
     )
