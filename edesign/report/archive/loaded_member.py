@@ -212,7 +212,9 @@ def _axial(group: Group, name: str, forces: ForcesAlong) -> str:
         return "N by equilibrium of the floor, from dampers, braces and columns."
     if np.abs(forces.steady[:, 0]).max() > 1.0:  # N, beyond rounding
         return ""
-    return "N = 0: neither damper nor brace meets the line of this beam, and its floor is rigid."
+    if "collector" in group.coords or not {"damper", "brace"} & {*group.coords}:
+        return "N = 0: neither damper nor brace meets the line of this beam, and its floor is rigid."
+    return "N = 0: forces that a beam of a rigid floor collects from dampers and braces are not in this archive."
 
 
 def _of_member(archive: Archive, name: str, analysis: str | None) -> tuple[list[_Row], Followed]:

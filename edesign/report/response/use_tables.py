@@ -39,9 +39,13 @@ NAMED = 5
 RULES = {"mean": "mean of {count} motions ({code})", "maximum": "largest of {count}"}
 MEANING = (
     "N (tension positive), V, M: of the step and history with the largest use. Section: EN 1993-1-1, 6.2.6 and 6.2.8 "
-    "to 6.2.10; buckling: 6.3; partial factors of `design`, 1 without it. Beams of rigid floors have the N that "
-    "braces, dampers and columns bring to their line by equilibrium of the floor, without braces or dampers none."
+    "to 6.2.10; buckling: 6.3; partial factors of `design`, 1 without it."
 )
+COLLECTED = (
+    "Beams of rigid floors have the N that braces, dampers and columns bring to their line by equilibrium of the "
+    "floor, without braces or dampers none."
+)
+NOT_COLLECTED = "N that beams of rigid floors collect from braces and dampers is not in this archive."
 
 
 @dataclass(frozen=True)
@@ -242,7 +246,7 @@ def use_tables(
             if place not in places or one.member.use > places[place].member.use:
                 places[place] = one
         rows = sorted(places.items(), key=lambda place: (KINDS.index(place[0][0]), place[0][1]))
-        notes = wrapped(f"{uses.note} {MEANING}".strip())
+        notes = wrapped(f"{uses.note} {MEANING} {_collected(uses)}".strip())
         if kinds := [f"{kind}s" for kind in KINDS if uses.yielding(kind)]:
             notes += wrapped(f"{MEANT} {' and '.join(kinds)}: `design: dissipative`.")
         notes += missing_notes([uses.found], labelled=False)
@@ -268,6 +272,14 @@ def _beside(uses: _Uses, worst: Sequence[LoadedMember], elastic: Mapping[str, El
     known = {name: elastic.get(name, elastic.get(name.rpartition("_")[0])) for name in chosen}
     rows = [_Beside(chosen[name], of) for name, of in known.items() if of is not None]
     return sorted(rows, key=lambda row: (KINDS.index(row.member.kind), row.member.storey))
+
+
+def _collected(uses: _Uses) -> str:
+    """Where the axial forces of beams come from."""
+    coords = {name for group in uses.found.completed.values() for name in group.coords}
+    if "collector" in coords:
+        return COLLECTED
+    return NOT_COLLECTED if {"damper", "brace"} & coords else ""
 
 
 def _worst(kind: str, uses: _Uses) -> float | None:
