@@ -12,9 +12,10 @@ from plain_tables import plain_table
 from edesign.archive.dataset import Group, Variable
 from edesign.report.response.analysis_tables import fallbacks_table
 from edesign.report.response.brace_table import brace_table
-from edesign.report.tables.column import col
-from edesign.report.tables.text import filled, folded, in_facts, print_tables, printed, progress_text
-from edesign.report.tables.unit import ONE
+from edesign.report.tables.column import col, text
+from edesign.report.tables.table import Row, TableSpec
+from edesign.report.tables.text import filled, fitted, folded, in_facts, print_tables, printed, progress_text
+from edesign.report.tables.unit import KN, KN_M, ONE
 
 
 @pytest.mark.parametrize(
@@ -171,3 +172,18 @@ def test_long_facts_go_on_below_themselves() -> None:
         "        building: G 12.0 kN,",
         "          self_weight 3.0 kN",
     ]
+
+
+def test_what_is_rounding_beside_the_largest_of_its_unit_is_0() -> None:
+    """1e-12 of 2704 kN is 2.7e-9 kN; a moment has a scale of its own, and ratios have none."""
+    spec = TableSpec[Row]("t", "T", (text("of"), col("V", KN), col("M", KN_M), col("error", ONE)))
+    table = spec.of([("a", 2.704e6, 1.2e-13, 1e-16), ("b", 8.6e-12, 3.0e3, 2.0)])
+    assert table.texts == [["a", "2704", "0", "1.000e-16"], ["b", "0", "3.000", "2.000"]]
+    assert table.rows[1][1] == 8.6e-12  # files keep it
+
+
+def test_parts_of_a_table_repeat_the_columns_that_tell_rows_apart_though_cells_are_broken() -> None:
+    spec = TableSpec[Row]("t", "T", (text("kind"), text("section"), text("each", broken=1), text("cost")), keys=2)
+    rows = [("column", f"HEB{size}", "12 x 3.90, 12 x 4.50, 8 x 5.10", "9" * 20) for size in (300, 400)]
+    first, second = fitted(spec.of(rows), 44)
+    assert list(second.columns) == ["kind", "section", "cost"] and len(first.rows) > len(second.rows) == 2
