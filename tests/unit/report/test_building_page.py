@@ -102,6 +102,7 @@ def test_a_worked_check_ends_with_what_the_table_says(results: BuildingResults) 
     assert [row[0] for row in effects.rows] == ["G", "Q", "E_x", "E_y"]  # an earthquake governs: no sway acts in it
     sway = [row["name"] for row in results.rows("combinations", "combination")].index("1.35 G + 1.5 Q + S_x") + 1
     assert (idle_sway(results, sway), idle_sway(results, 1)) == ({"S_y"}, {"S_x", "S_y"})
+    assert "S: sway imperfections; those of other combinations are left out." in effects.notes
     assert calculation.rows[-1][0] == "utilisation"
 
 
