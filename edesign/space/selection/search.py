@@ -357,7 +357,7 @@ class Search:
         """Move to what a model of single exchanges proposes for all groups together, as long as that is better.
 
         The model is made of the neighbours of the base in each group. When it has no more to propose it is made anew,
-        and then of the neighbours beyond these as well.
+        and then, while checks are not met, of the neighbours beyond these as well; a descent looks further otherwise.
         """
         alike = self._evaluate.alike.values()
         model = Separable(base, self._groups, alike, self._evaluate.cost, self._ordered)
@@ -377,7 +377,7 @@ class Search:
                 self._goes_on(f"{better.mass / 1e3:.2f} t" + ("" if better.met else ", not all checks met"))
             elif model.stale:
                 model.forget()
-            elif sizes < len(UP):
+            elif sizes < len(UP) and not model.base.met:
                 sizes += 1
             else:
                 return model.base

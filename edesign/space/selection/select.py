@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from edesign.codes.ec8.concentric_braces import HOMOGENEITY
 from edesign.codes.rule_check import RuleCheck, first_of_largest
 from edesign.errors import InputError
 from edesign.one_thread import one_thread
@@ -302,14 +303,18 @@ def _of_diagonals(design: ElasticDesign, rule: RuleCheck) -> str:
     """Omega of the groups of diagonals where it differs too much, with the diagonal that has it."""
     if rule.clause != HOMOGENEOUS:
         return ""
-    found = []
+    found, apart = [], []
     for Omega in (of for axis, of in design.overstrength.items() if axis_of(rule) == axis):
-        least: dict[str, tuple[float, str]] = {}
+        of_groups: dict[str, list[tuple[float, str]]] = {}
         for number, ratio in zip(Omega.members, Omega.ratios, strict=True):
             member = design.frame.members[number]
-            least[member.group] = min(least.get(member.group, (math.inf, "")), (float(ratio), member.name))
-        found += [f"{ratio:.2f} of {group} {name}" for group, (ratio, name) in least.items()]
-    return f"; Omega is {', '.join(found)}"
+            of_groups.setdefault(member.group, []).append((float(ratio), member.name))
+        for group, of in of_groups.items():
+            (least, name), (most, _) = min(of), max(of)
+            found.append(f"{least:.2f} of {group} {name}")
+            apart += [f"{group} ({least:.2f} to {most:.2f})"] if most > (1.0 + HOMOGENEITY) * least else []
+    text = f"; Omega is {', '.join(found)}"
+    return f"{text}; no section makes it alike within {', '.join(apart)}: smaller groups do" if apart else text
 
 
 def _in_the_way(building: Building, evaluate: Evaluator, found: Found) -> str:

@@ -131,6 +131,19 @@ def test_diagonals_in_the_way_are_named_and_no_others() -> None:
     assert ends == ["D1", "D2", "D3", "D4"]
 
 
+def test_a_group_of_diagonals_whose_omega_no_section_makes_alike_is_named() -> None:
+    """One group over four storeys: the forces differ by more than 25 %, and so does Omega whatever the section."""
+    text = re.sub(
+        r"storeys: [1-4], kind: cross(.*)group: D[1-4]", r"storeys: 1-4, kind: cross\1group: D", braced().text
+    )
+    text = re.sub(r"(  - .*group: D}\n)+", lambda of: of[0].splitlines()[0] + "\n", text)
+    text = re.sub(r"D1: .*D4: \[.*?\]", "D: [SHS80x5, SHS90x6, SHS100x8]", text)
+    with pytest.raises(
+        InputError, match=r"no section makes it alike within D \([0-9.]+ to [0-9.]+\): smaller groups do"
+    ):
+        select_sections(building(text))
+
+
 def test_sections_of_the_file_off_the_lists_that_are_nearer_are_told() -> None:
     """Beams of the list are too small for any column; those of the file are not."""
     file = changed_sections(frames(), B1="IPE600", B2="IPE600")
