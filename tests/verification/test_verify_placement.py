@@ -63,7 +63,7 @@ def placed(
     )
     spec = design(text, every.project)
     assert isinstance(spec, PlacementDesign)
-    criterion = MeasureCriterion(name="drift", measure="interstorey_drift", most=limit)
+    criterion = MeasureCriterion(name="drift", measure="interstorey_drift", most=limit, statistic="mean")
 
     def verdicts(histories: dict[str, Group]) -> object:
         return judge((criterion,), (), histories, every.project)

@@ -10,7 +10,7 @@ from edesign.report.building.elastic_uses import elastic_uses
 from edesign.report.drawing.captions import at_level
 from edesign.report.html.section import Folded, Part, Section
 from edesign.report.model.force_envelopes import force_envelopes
-from edesign.report.page.source import Source, by_level, headed, level_heading
+from edesign.report.page.source import Source, by_level, level_heading
 from edesign.report.response.analysis_tables import measures_table
 from edesign.report.response.interaction_figures import interaction_figures
 from edesign.report.response.mean_profiles import mean_profile_figures
@@ -41,7 +41,7 @@ def response(source: Source) -> Section:
         parts += [table] if table.rows else []
     parts += torsion_tables(sets)
     parts += _members(source, sets)
-    parts += headed(source.pictures(interaction_figures), source.levels)
+    parts += source.pictures(interaction_figures)
     if forces := source.pictures(force_envelopes):
         parts.append(Folded(f"Axial force, shear and moment along members ({len(forces)})", forces))
     parts += _profiles(source)
