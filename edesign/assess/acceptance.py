@@ -16,7 +16,7 @@ from edesign.codes.ec3.classes import (
     outstand_limits,
     plastic_part_in_compression,
 )
-from edesign.codes.ec8 import existing_steel as en1998_3
+from edesign.codes.ec8.verification import existing_steel as en1998_3
 from edesign.codes.fema356 import steel as fema356
 from edesign.codes.fema356.sections import ISection
 from edesign.codes.fema356.strength import column_yield_rotation

@@ -13,7 +13,7 @@ from edesign.assess.energy import energy_share
 from edesign.assess.envelopes import peak, residual
 from edesign.assess.measures import Located
 from edesign.assess.spread import Spread, in_frames, line_and_number, resultant, spread, stored_dims
-from edesign.codes.ec8.directions import SHARE
+from edesign.codes.ec8.analysis.directions import SHARE
 from edesign.ground_motion.response_spectrum import response_spectra
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.criteria.criteria import QuantityCriterion

@@ -15,7 +15,7 @@ from edesign.cli.shared.streams import progress_line
 from edesign.cli.shared.workers import DEFAULT, Workers
 from edesign.frame.building_file import load_building
 from edesign.optional_stages import optional
-from edesign.report.building.selection_tables import selection_tables
+from edesign.report.building.tables.selection import selection_tables
 from edesign.report.tables.text import print_tables
 from edesign.report.tables.visible import visible_line
 from edesign.space.selection.search import Line

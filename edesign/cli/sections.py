@@ -10,7 +10,7 @@ import typer
 
 from edesign.archive.files import check_csv
 from edesign.cli.shared.complete import section_names
-from edesign.report.building.section_table import chosen_sections, section_data, section_tables, write_sections
+from edesign.report.building.tables.sections import chosen_sections, section_data, section_tables, write_sections
 from edesign.report.tables.text import print_tables
 
 

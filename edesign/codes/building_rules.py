@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 
-from edesign.codes.ec8.regularity import ChangeLimits
+from edesign.codes.ec8.analysis.regularity import ChangeLimits
 from edesign.codes.en1990.combinations import Combination
 from edesign.codes.rule_check import RuleCheck
 

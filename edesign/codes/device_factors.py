@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
-from edesign.codes.ec8.isolation import GAMMA_X
+from edesign.codes.ec8.analysis.isolation import GAMMA_X
 from edesign.codes.names import unknown
 
 

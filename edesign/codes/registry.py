@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 
 from edesign.codes.asce7.ground_motions import set_rules
-from edesign.codes.ec8.accelerograms import SET_RULES
+from edesign.codes.ec8.action.accelerograms import SET_RULES
 from edesign.codes.motion_sets import SetRules
 from edesign.codes.names import unknown
 from edesign.codes.ntc2018.accelerograms import ULTIMATE

@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from edesign.codes.asce7.spectrum import damping_coefficient
-from edesign.codes.ec8.branches import checked_periods, displacement_of
-from edesign.codes.ec8.elastic import SMALLEST_CORRECTION, damping_correction
+from edesign.codes.ec8.action.branches import checked_periods, displacement_of
+from edesign.codes.ec8.action.elastic import SMALLEST_CORRECTION, damping_correction
 from edesign.codes.interpolation import log_log
 from edesign.codes.motion_sets import SetRules
 from edesign.errors import InputError

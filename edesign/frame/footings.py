@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from math import inf, isfinite, pi, sqrt
 
 from edesign.codes.asce7.soil_strain import damping_ratio, modulus_ratio
-from edesign.codes.ec8.soil_strain import soil_strain
+from edesign.codes.ec8.action.soil_strain import soil_strain
 from edesign.errors import InputError
 from edesign.frame.footing_impedance import (
     Block,

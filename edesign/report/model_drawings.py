@@ -48,7 +48,7 @@ def drawings_of(file: FileModel, heading: Sequence[str] = ()) -> Iterator[Named]
     elif isinstance(file, Study):
         yield from study_figures(file, {}, heading)
     elif isinstance(file, Building):
-        from edesign.report.building.model_figures import building_model_figures
+        from edesign.report.building.figures.model_figures import building_model_figures
 
         yield from building_model_figures(file, heading)
     elif isinstance(file, RtsFile):

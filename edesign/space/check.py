@@ -13,10 +13,10 @@ from edesign.frame.sections.own_section import section_of
 from edesign.frame.sections.section_lists import family_of, sections_of
 from edesign.ground_motion.hazard import checked_hazard
 from edesign.project.building.building import Building
+from edesign.project.building.checks.plausible import unusual
 from edesign.project.building.design import DEFAULT_PRICE, KINDS
 from edesign.project.building.layout import DIRECTIONS
 from edesign.project.building.names import column_name
-from edesign.project.building.plausible import unusual
 from edesign.project.reading.problems import did_you_mean, listed
 from edesign.space.elastic_design import ElasticAnalysis
 from edesign.space.joint_stiffness import unusual_ends

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from edesign.codes.ec8.national import NationalParameters
-from edesign.codes.ec8.second_order import NEGLIGIBLE
+from edesign.codes.ec8.verification.second_order import NEGLIGIBLE
 from edesign.codes.en1990.combinations import Combination
 from edesign.codes.rule_check import ROUNDING
 from edesign.frame.sections.channels import packing_distance
 from edesign.frame.sections.riveted import NOTE
 from edesign.project.building.building import Building
-from edesign.project.building.plausible import unusual
+from edesign.project.building.checks.plausible import unusual
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.project.reading.problems import listed
 from edesign.space.analysis.actions import psi_of

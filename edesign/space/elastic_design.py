@@ -7,7 +7,7 @@ from dataclasses import fields, replace
 
 import numpy as np
 
-from edesign.codes.ec8.modal_combination import LARGE_MODE
+from edesign.codes.ec8.analysis.modal_combination import LARGE_MODE
 from edesign.core.space import SpaceModel
 from edesign.core.space_modes import SpaceModes
 from edesign.errors import InputError

@@ -11,9 +11,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from edesign.codes.ec8.lateral_force import lateral_forces
-from edesign.codes.ec8.modal_combination import cqc_coefficients
-from edesign.codes.ec8.second_order import drift_sensitivity
+from edesign.codes.ec8.analysis.lateral_force import lateral_forces
+from edesign.codes.ec8.analysis.modal_combination import cqc_coefficients
+from edesign.codes.ec8.verification.second_order import drift_sensitivity
 
 
 def test_cqc_coefficients_of_wilson() -> None:

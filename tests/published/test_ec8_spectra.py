@@ -20,8 +20,8 @@ from edesign.codes.ec8 import (
     national_parameters,
     vertical_design_spectrum,
 )
-from edesign.codes.ec8.displacement import design_ground_displacement
-from edesign.codes.ec8.importance import (
+from edesign.codes.ec8.action.displacement import design_ground_displacement
+from edesign.codes.ec8.action.importance import (
     factor_of_probability,
     factor_of_return_period,
     return_period_of,

@@ -13,9 +13,9 @@ import numpy as np
 import pytest
 
 from edesign.codes.capacity_curve import CapacityCurve
-from edesign.codes.ec8.elastic import ElasticSpectrum
-from edesign.codes.ec8.parameters import HorizontalParameters
-from edesign.codes.ec8.target_displacement import (
+from edesign.codes.ec8.action.elastic import ElasticSpectrum
+from edesign.codes.ec8.action.parameters import HorizontalParameters
+from edesign.codes.ec8.analysis.target_displacement import (
     equivalent_oscillator,
     idealised,
     oscillator_target,

@@ -12,7 +12,7 @@ import pytest
 from verification.footing_mast import mast
 
 from edesign.codes.asce7.soil_strain import damping_ratio, modulus_ratio
-from edesign.codes.ec8.soil_strain import soil_strain
+from edesign.codes.ec8.action.soil_strain import soil_strain
 from edesign.errors import InputError
 from edesign.frame.footing_impedance import Block, static_stiffness
 from edesign.study.analysis.footings import interaction

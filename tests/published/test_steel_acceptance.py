@@ -12,7 +12,7 @@ from unit.assess.assessed import FRAME
 from edesign.assess.acceptance import ACCEPTANCE, FrameMember, section_class
 from edesign.assess.members import frame_members, under_gravity
 from edesign.codes.asce41.steel import beam_rotations, column_rotations, web_limits
-from edesign.codes.ec8.existing_steel import plastic_rotations
+from edesign.codes.ec8.verification.existing_steel import plastic_rotations
 from edesign.errors import InputError
 from edesign.project import load_project, parse_project
 from edesign.project.analysis.analyses import GravityAnalysis

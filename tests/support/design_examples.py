@@ -13,7 +13,7 @@ from edesign.frame.project_file import load_project
 from edesign.frame.sections.profiles import profile_names
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.building.building import Building
-from edesign.project.building.checks_dampers import check_bays
+from edesign.project.building.checks.dampers import check_bays
 from edesign.project.checks.designs import check_design
 from edesign.project.dampers.designs import Design
 from edesign.project.loader import parse_project

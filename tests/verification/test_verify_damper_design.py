@@ -16,7 +16,7 @@ from shear_frames import HEIGHT, MASS, STIFFNESS
 
 from edesign.codes.asce7 import largest_property_factor, smallest_property_factor
 from edesign.codes.ec8 import damping_correction
-from edesign.codes.ec8.lateral_force import correction_factor, is_applicable, lateral_forces
+from edesign.codes.ec8.analysis.lateral_force import correction_factor, is_applicable, lateral_forces
 from edesign.core import Channel, Newmark
 from edesign.damper import sizing as s
 from edesign.errors import InputError

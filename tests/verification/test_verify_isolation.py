@@ -12,7 +12,7 @@ import pytest
 from shear_frames import MASS, STIFFNESS, shear_frame_text
 
 from edesign.archive.dataset import Group
-from edesign.codes.ec8.isolation import equivalent_linear
+from edesign.codes.ec8.analysis.isolation import equivalent_linear
 from edesign.core import Analysis, Channel, LawValues, Model
 from edesign.core.damper import EffectValues
 from edesign.damper.harmonic import effective_stiffness

@@ -25,7 +25,7 @@ from edesign.archive.reader import open_archive
 from edesign.assess.judged_designs import brace_verdicts, brace_warnings, damping_verdicts
 from edesign.assess.sets import history_sets
 from edesign.codes.device_factors import DeviceFactors
-from edesign.codes.ec8.concentric_braces import SLENDERNESS
+from edesign.codes.ec8.steel.concentric_braces import SLENDERNESS
 from edesign.errors import InputError
 from edesign.frame.project_file import load_study
 from edesign.frame.sections.steel_section import steel_section

@@ -14,7 +14,7 @@ from verification.test_verify_building_pushes import pushed, pushover, sharp, va
 
 from edesign.archive.dataset import Group
 from edesign.assess.envelopes import peak
-from edesign.codes.ec8.target_displacement import equivalent_oscillator
+from edesign.codes.ec8.analysis.target_displacement import equivalent_oscillator
 from edesign.core import Analysis
 from edesign.space.elastic_design import elastic_design
 from edesign.space.nonlinear import build_building

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from edesign.codes.asce7.ground_motions import set_rules
-from edesign.codes.ec8.branches import checked_periods, displacement_of
+from edesign.codes.ec8.action.branches import checked_periods, displacement_of
 from edesign.codes.motion_sets import SetRules
 from edesign.codes.quantities import check_positive
 from edesign.errors import InputError

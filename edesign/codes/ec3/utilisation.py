@@ -16,7 +16,7 @@ from edesign.codes.ec3 import cross_section, interaction, lateral_torsional
 from edesign.codes.ec3.buckling import Flexural
 from edesign.codes.ec3.interaction import InteractionFactors
 from edesign.codes.ec3.member import Member, Strength
-from edesign.codes.ec8.moment_frames import AXIAL_LIMIT, SHEAR_LIMIT
+from edesign.codes.ec8.steel.moment_frames import AXIAL_LIMIT, SHEAR_LIMIT
 from edesign.codes.trace import Trace
 
 N, V_Y, V_Z, _, M_Y, M_Z = range(6)

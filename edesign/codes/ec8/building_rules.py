@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from edesign.codes.building_rules import BuildingRules
-from edesign.codes.ec8.behaviour_factor import behaviour_factor, largest_section_class
-from edesign.codes.ec8.directions import vertical_component_counts
-from edesign.codes.ec8.modal_combination import LEAST_MASS
-from edesign.codes.ec8.regularity import setbacks
+from edesign.codes.ec8.analysis.directions import vertical_component_counts
+from edesign.codes.ec8.analysis.modal_combination import LEAST_MASS
+from edesign.codes.ec8.analysis.regularity import setbacks
+from edesign.codes.ec8.steel.behaviour_factor import behaviour_factor, largest_section_class
 
 RULES = BuildingRules(
     code="ec8-2004",

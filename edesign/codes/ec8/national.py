@@ -13,7 +13,7 @@ from typing import Any
 
 import yaml
 
-from edesign.codes.ec8.parameters import HorizontalParameters, VerticalParameters, horizontal_of, vertical_of
+from edesign.codes.ec8.action.parameters import HorizontalParameters, VerticalParameters, horizontal_of, vertical_of
 from edesign.codes.names import unknown
 from edesign.codes.quantities import STANDARD_GRAVITY
 from edesign.errors import InputError

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from itertools import product
 from typing import Literal
 
-from edesign.codes.ec8.directions import DirectionRule, direction_factors
+from edesign.codes.ec8.analysis.directions import DirectionRule, direction_factors
 from edesign.codes.ec8.national import ActionFactors, Psi
 from edesign.codes.en1990.actions import MOST_COMBINATIONS, Action, relieving_alone, sets_of_actions, split_cases
 from edesign.codes.names import unknown

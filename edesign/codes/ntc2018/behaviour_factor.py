@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from edesign.codes.ec8.behaviour_factor import reference_q
-from edesign.codes.ec8.regularity import IRREGULAR_Q
+from edesign.codes.ec8.analysis.regularity import IRREGULAR_Q
+from edesign.codes.ec8.steel.behaviour_factor import reference_q
 
 NON_DISSIPATIVE_SHARE = 2.0 / 3.0
 """q_ND over q of class B. Source: NTC 2018, 7.3.1, Eq. 7.3.2."""
@@ -24,7 +24,7 @@ def limit_of_q(
     and Figures 6.1-6.8. K_R is 1 of buildings regular in elevation, else 0.8.
 
     Args:
-        system: structural type, as in `edesign.codes.ec8.behaviour_factor`.
+        system: structural type, as in `edesign.codes.ec8.steel.behaviour_factor`.
         ductility: `high` for class A, `medium` for class B, `low` for a building that does not dissipate energy.
         alpha_ratio: alpha_u / alpha_1; counts in class A.
         regular_in_elevation: otherwise K_R is 0.8.

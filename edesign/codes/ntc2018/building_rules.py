@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from edesign.codes.building_rules import BuildingRules
-from edesign.codes.ec8.regularity import NTC_2018
+from edesign.codes.ec8.analysis.regularity import NTC_2018
 from edesign.codes.ntc2018.behaviour_factor import largest_section_class, limit_of_q
 from edesign.codes.ntc2018.capacity import BASE_AXIAL_LIMIT, FOUNDATIONS, HOLLOW_BRACES
 from edesign.codes.ntc2018.parameters import TITLE

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from edesign.codes.ec8.branches import four_branches
+from edesign.codes.ec8.action.branches import four_branches
 from edesign.codes.ntc2018.elastic import NtcSpectrum, NtcVerticalSpectrum
 from edesign.errors import InputError
 

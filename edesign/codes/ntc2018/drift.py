@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from edesign.codes.ec8.drift import drift_limit
+from edesign.codes.ec8.verification.drift import drift_limit
 from edesign.codes.names import unknown
 from edesign.codes.ntc2018.return_period import CLASS_OF_USE
 

@@ -11,8 +11,8 @@ from typing import Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from edesign.codes.ec8.branches import displacement_of, four_branches
-from edesign.codes.ec8.elastic import damping_correction
+from edesign.codes.ec8.action.branches import displacement_of, four_branches
+from edesign.codes.ec8.action.elastic import damping_correction
 from edesign.codes.motion_sets import SetRules
 from edesign.codes.ntc2018.accelerograms import ULTIMATE
 from edesign.codes.ntc2018.site import Site

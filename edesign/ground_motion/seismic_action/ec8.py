@@ -15,7 +15,7 @@ from edesign.codes.ec8 import (
     national_parameters,
     vertical_design_spectrum,
 )
-from edesign.codes.ec8.importance import factor_of_probability, factor_of_return_period
+from edesign.codes.ec8.action.importance import factor_of_probability, factor_of_return_period
 from edesign.codes.ec8.national import parameters_of_file
 from edesign.codes.registry import find_code
 from edesign.errors import InputError

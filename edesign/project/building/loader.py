@@ -6,15 +6,15 @@ from pathlib import Path
 from typing import TypeVar
 
 from edesign.project.building.building import Building
-from edesign.project.building.checks_analyses import check_analyses
-from edesign.project.building.checks_dampers import check_dampers
-from edesign.project.building.checks_design import check_design
-from edesign.project.building.checks_ends import check_building_ends
-from edesign.project.building.checks_isolation import check_isolation
-from edesign.project.building.checks_layout import check_layout
-from edesign.project.building.checks_loads import check_loads
+from edesign.project.building.checks.analyses import check_analyses
+from edesign.project.building.checks.dampers import check_dampers
+from edesign.project.building.checks.design import check_design
+from edesign.project.building.checks.ends import check_building_ends
+from edesign.project.building.checks.isolation import check_isolation
+from edesign.project.building.checks.layout import check_layout
+from edesign.project.building.checks.loads import check_loads
+from edesign.project.building.checks.plausible import check_given_masses, check_plausible
 from edesign.project.building.members import BeamRun, BraceRun, ColumnRun
-from edesign.project.building.plausible import check_given_masses, check_plausible
 from edesign.project.checks.foundations import check_foundations
 from edesign.project.frame.sections import Catalogue
 from edesign.project.reading.file_model import Reader

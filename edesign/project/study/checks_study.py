@@ -8,9 +8,9 @@ from typing import get_args
 from edesign.project.analysis.pushover import BuildingDirections, FrameDirections, Pushovers
 from edesign.project.analysis.shaking import Eccentric
 from edesign.project.building.building import Building
-from edesign.project.building.checks_analyses import check_positions
-from edesign.project.building.checks_dampers import check_bays
-from edesign.project.building.checks_placement import check_candidates
+from edesign.project.building.checks.analyses import check_positions
+from edesign.project.building.checks.dampers import check_bays
+from edesign.project.building.checks.placement import check_candidates
 from edesign.project.checks.analyses import check_drift
 from edesign.project.checks.criteria import check_criteria
 from edesign.project.checks.designs import check_design

@@ -23,14 +23,14 @@ if TYPE_CHECKING:
 
 
 def _tables(archive: Archive) -> list[Table]:
-    from edesign.report.building.tables import building_tables
+    from edesign.report.building.tables.all import building_tables
 
     of_design = [*building_tables(archive)] if archive.has(PLACE) else []
     return [*of_design, *(project_tables(archive) if archive.attributes.get("planned") else [])]
 
 
 def _short_tables(archive: Archive, top: Table) -> list[Table]:
-    from edesign.report.building.tables import short_building_tables
+    from edesign.report.building.tables.all import short_building_tables
 
     of_design = [*short_building_tables(archive)] if archive.has(PLACE) else []
     return [*of_design, *(short_project_tables(archive, top) if archive.attributes.get("planned") else [])]
@@ -48,10 +48,10 @@ def building_drawings(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
     Yields:
         Name of the file, caption and figure.
     """
-    from edesign.report.building.curves import mode_shapes, spectra, storey_curves
-    from edesign.report.building.elevations import elevations
-    from edesign.report.building.force_diagrams import force_diagrams
-    from edesign.report.building.model_figures import archived_building_model
+    from edesign.report.building.figures.curves import mode_shapes, spectra, storey_curves
+    from edesign.report.building.figures.elevations import elevations
+    from edesign.report.building.figures.force_diagrams import force_diagrams
+    from edesign.report.building.figures.model_figures import archived_building_model
 
     drawn = (archived_building_model, spectra, mode_shapes, storey_curves, elevations, force_diagrams)
     yield from chain.from_iterable(figures(archive) for figures in drawn)

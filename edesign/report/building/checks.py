@@ -15,7 +15,7 @@ from edesign.errors import InputError
 from edesign.project.reading.problems import did_you_mean
 from edesign.report.building.code_in_use import rules_in_use
 from edesign.report.building.results import UNITS, BuildingResults
-from edesign.report.building.tables import Worst, worst_of_groups
+from edesign.report.building.tables.all import Worst, worst_of_groups
 from edesign.report.tables.cell import Marked, Quantity, Value
 from edesign.report.tables.column import Column, col, count, formula, text
 from edesign.report.tables.number import finite, significant

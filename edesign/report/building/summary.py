@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from edesign.archive.reader import Archive
 from edesign.report.building.checks import worked_data, worked_worst
-from edesign.report.building.deflection_table import worst_beams
-from edesign.report.building.foundation_table import foundation_summary
-from edesign.report.building.lateral_tables import lateral_summary
 from edesign.report.building.results import BuildingResults
+from edesign.report.building.tables.deflections import worst_beams
+from edesign.report.building.tables.foundations import foundation_summary
+from edesign.report.building.tables.lateral import lateral_summary
 from edesign.report.tables.number import finite
 from edesign.space.archived import SELECTION
 from edesign.space.structure.frame import AXES

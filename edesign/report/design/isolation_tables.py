@@ -10,7 +10,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.assess.envelopes import residual
 from edesign.assess.sets import HistorySet
-from edesign.codes.ec8.isolation import GAMMA_X
+from edesign.codes.ec8.analysis.isolation import GAMMA_X
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.report.assessment.measure_columns import ROUNDING
 from edesign.report.assessment.measure_tables import label, missing_notes

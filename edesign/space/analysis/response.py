@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from edesign.codes.ec8 import DesignSpectrum, ElasticSpectrum
-from edesign.codes.ec8.lateral_force import base_shear, lateral_forces
-from edesign.codes.ec8.modal_combination import close_modes, cqc_coefficients
-from edesign.codes.ec8.torsion import accidental_moments
+from edesign.codes.ec8.analysis.lateral_force import base_shear, lateral_forces
+from edesign.codes.ec8.analysis.modal_combination import close_modes, cqc_coefficients
+from edesign.codes.ec8.analysis.torsion import accidental_moments
 from edesign.codes.ntc2018 import NtcDesignSpectrum, NtcSpectrum
 from edesign.core.space import Points, SpaceModel, combine, combine_internal
 from edesign.core.space_modes import SpaceModes

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from edesign.codes.ec8.design_displacement import design_displacement
-from edesign.codes.ec8.drift import drift_limit, reduced_drift
-from edesign.codes.ec8.second_order import LARGEST, NEGLIGIBLE, drift_sensitivity
+from edesign.codes.ec8.analysis.design_displacement import design_displacement
+from edesign.codes.ec8.verification.drift import drift_limit, reduced_drift
+from edesign.codes.ec8.verification.second_order import LARGEST, NEGLIGIBLE, drift_sensitivity
 from edesign.codes.ntc2018.displacement import displacement_ductility
 from edesign.codes.ntc2018.drift import limit_of_drift
 from edesign.project.building.design import Design

@@ -16,7 +16,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from edesign.codes.ec3.imperfections import AMPLIFICATION, FIRST_ORDER, initial_sway, sway_amplification
-from edesign.codes.ec8.modal_combination import LARGE_MODE
+from edesign.codes.ec8.analysis.modal_combination import LARGE_MODE
 from edesign.codes.en1990.combinations import Combination
 from edesign.codes.rule_check import RuleCheck, at_least
 from edesign.core.space import SpaceModel

@@ -13,8 +13,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from edesign.codes.ec8 import VerticalSpectrum
-from edesign.codes.ec8.design import LARGEST_VERTICAL_Q, vertical_design_spectrum
-from edesign.codes.ec8.directions import vertical_component_counts
+from edesign.codes.ec8.action.design import LARGEST_VERTICAL_Q, vertical_design_spectrum
+from edesign.codes.ec8.analysis.directions import vertical_component_counts
 from edesign.codes.en1990.combinations import Combination
 from edesign.codes.ntc2018 import NtcDesignSpectrum, NtcVerticalSpectrum
 from edesign.project.notation.units import STANDARD_GRAVITY

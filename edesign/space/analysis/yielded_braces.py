@@ -18,7 +18,7 @@ from dataclasses import replace
 import numpy as np
 
 from edesign.codes.ec3.cross_section import axial_resistance
-from edesign.codes.ec8.concentric_braces import post_buckling_forces
+from edesign.codes.ec8.steel.concentric_braces import post_buckling_forces
 from edesign.codes.en1990.combinations import Combination
 from edesign.core.space import SpaceModel
 from edesign.project.building.building import Building

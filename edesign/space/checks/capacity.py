@@ -18,8 +18,8 @@ from edesign.codes.ec3.cross_section import (
     moment_resistance_with_axial_force_z,
     web_share,
 )
-from edesign.codes.ec8.capacity import overstrength as strength_over_demand
-from edesign.codes.ec8.strong_column import LEAST_RATIO, is_exempt, strength_ratio
+from edesign.codes.ec8.verification.capacity import overstrength as strength_over_demand
+from edesign.codes.ec8.verification.strong_column import LEAST_RATIO, is_exempt, strength_ratio
 from edesign.codes.en1990.combinations import Combination
 from edesign.codes.ntc2018.capacity import overstrength_beside_gravity
 from edesign.codes.rule_check import first_of_largest

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 
 from edesign.codes.ec3.cross_section import axial_resistance, moment_resistance, shear_resistance
-from edesign.codes.ec8.moment_frames import SHEAR_LIMIT, column_hinge_shear
+from edesign.codes.ec8.steel.moment_frames import SHEAR_LIMIT, column_hinge_shear
 from edesign.codes.en1990.combinations import Combination
 from edesign.codes.rule_check import RuleCheck, at_most, first_of_largest
 from edesign.frame.sections.section_class import section_class

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from edesign.codes.ec8.capacity import foundation_factor
-from edesign.codes.ec8.capacity import overstrength as strength_over_demand
+from edesign.codes.ec8.verification.capacity import foundation_factor
+from edesign.codes.ec8.verification.capacity import overstrength as strength_over_demand
 from edesign.codes.en1990.combinations import Combination
 from edesign.codes.rule_check import first_of_largest
 from edesign.core.space import combine

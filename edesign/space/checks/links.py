@@ -7,8 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from edesign.codes.ec8.capacity import OVERSTRENGTH
-from edesign.codes.ec8.eccentric_braces import (
+from edesign.codes.ec8.steel.eccentric_braces import (
     HOMOGENEITY,
     Category,
     LinkStiffeners,
@@ -19,6 +18,7 @@ from edesign.codes.ec8.eccentric_braces import (
     overstrength_of_link,
     rotation,
 )
+from edesign.codes.ec8.verification.capacity import OVERSTRENGTH
 from edesign.codes.rule_check import RuleCheck, at_most, first_of_largest
 from edesign.errors import InputError
 from edesign.frame.sections.steel_section import SteelSection

@@ -21,8 +21,8 @@ import numpy as np
 from edesign.codes.ec3 import cross_section
 from edesign.codes.ec3.member import Stability
 from edesign.codes.ec3.moment_factors import SWAY, linear_moment_factor_a
-from edesign.codes.ec8.capacity import OVERSTRENGTH
-from edesign.codes.ec8.moment_frames import hinge_shear
+from edesign.codes.ec8.steel.moment_frames import hinge_shear
+from edesign.codes.ec8.verification.capacity import OVERSTRENGTH
 from edesign.codes.en1990.combinations import Combination
 from edesign.core.member_checks import (
     BEAM_CHECKS,

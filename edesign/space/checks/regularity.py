@@ -13,8 +13,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from edesign.codes.building_rules import BuildingRules
-from edesign.codes.ec8.lateral_force import lateral_forces
-from edesign.codes.ec8.regularity import (
+from edesign.codes.ec8.analysis.lateral_force import lateral_forces
+from edesign.codes.ec8.analysis.regularity import (
     ChangeLimits,
     eccentricity_and_radius,
     gradual_mass,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from edesign.codes.aisc341.buckling_restrained import expected_deformation
-from edesign.codes.ec8.concentric_braces import HOMOGENEITY
+from edesign.codes.ec8.steel.concentric_braces import HOMOGENEITY
 from edesign.codes.rule_check import RuleCheck, at_most
 from edesign.space.analysis.storeys import Storeys
 from edesign.space.checks.capacity import Overstrength

@@ -10,14 +10,14 @@ import numpy as np
 from edesign.codes.building_rules import BuildingRules
 from edesign.codes.ec3.buckling import critical_force
 from edesign.codes.ec3.buckling import slenderness as flexural_slenderness
-from edesign.codes.ec8.behaviour_factor import alpha_ratio
-from edesign.codes.ec8.capacity import OVERSTRENGTH
-from edesign.codes.ec8.concentric_braces import FEW_STOREYS, asymmetry, homogeneity, slenderness
-from edesign.codes.ec8.modal_combination import check_modes
-from edesign.codes.ec8.moment_frames import rotation_capacity
-from edesign.codes.ec8.regularity import IRREGULAR_Q
-from edesign.codes.ec8.second_order import AMPLIFIED
-from edesign.codes.ec8.strong_column import LEAST_RATIO
+from edesign.codes.ec8.analysis.modal_combination import check_modes
+from edesign.codes.ec8.analysis.regularity import IRREGULAR_Q
+from edesign.codes.ec8.steel.behaviour_factor import alpha_ratio
+from edesign.codes.ec8.steel.concentric_braces import FEW_STOREYS, asymmetry, homogeneity, slenderness
+from edesign.codes.ec8.steel.moment_frames import rotation_capacity
+from edesign.codes.ec8.verification.capacity import OVERSTRENGTH
+from edesign.codes.ec8.verification.second_order import AMPLIFIED
+from edesign.codes.ec8.verification.strong_column import LEAST_RATIO
 from edesign.codes.rule_check import RuleCheck, at_least, at_most
 from edesign.core.space_modes import SpaceModes
 from edesign.frame.sections.section_class import SectionClass, section_class

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.codes.ec3.cross_section import moment_resistance
-from edesign.codes.ec8.moment_frames import (
+from edesign.codes.ec8.steel.moment_frames import (
     web_panel_area_with_doubler,
     web_panel_resistance,
     web_panel_shear,

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from edesign.codes.ec8.directions import SHARE
+from edesign.codes.ec8.analysis.directions import SHARE
 from edesign.project.building.building import Building
 from edesign.project.building.names import Direction
 from edesign.project.frame.member_design import AcrossBracing, ElasticUse

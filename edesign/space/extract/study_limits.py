@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from edesign.codes.ec8.drift import drift_limit
+from edesign.codes.ec8.verification.drift import drift_limit
 from edesign.codes.ntc2018.drift import limit_of_drift, limit_state_of_drift
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import elastic_spectrum, objective_level

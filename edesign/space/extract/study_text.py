@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from edesign.codes.ec8.ground import ground_type
+from edesign.codes.ec8.action.ground import ground_type
 from edesign.codes.fema356.objectives import BASIC, OBJECTIVES
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import elastic_spectrum

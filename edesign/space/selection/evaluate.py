@@ -10,9 +10,9 @@ from functools import partial
 import numpy as np
 
 from edesign.codes.ec3.imperfections import AMPLIFICATION
-from edesign.codes.ec8.concentric_braces import FEW_STOREYS, HOMOGENEITY, SLENDERNESS
-from edesign.codes.ec8.second_order import AMPLIFIED
-from edesign.codes.ec8.strong_column import LEAST_RATIO
+from edesign.codes.ec8.steel.concentric_braces import FEW_STOREYS, HOMOGENEITY, SLENDERNESS
+from edesign.codes.ec8.verification.second_order import AMPLIFIED
+from edesign.codes.ec8.verification.strong_column import LEAST_RATIO
 from edesign.codes.rule_check import RuleCheck
 from edesign.project.building.building import Building
 from edesign.project.building.design import RESTRAINED

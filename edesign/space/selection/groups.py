@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from edesign.codes.ec8.concentric_braces import FEW_STOREYS, SLENDERNESS, SLENDERNESS_CLAUSES
+from edesign.codes.ec8.steel.concentric_braces import FEW_STOREYS, SLENDERNESS, SLENDERNESS_CLAUSES
 from edesign.errors import InputError
 from edesign.frame.sections.section_lists import efficient, family_of, sections_of
 from edesign.frame.sections.steel_section import SteelSection, steel_section

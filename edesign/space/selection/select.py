@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from edesign.codes.ec8.concentric_braces import HOMOGENEITY
+from edesign.codes.ec8.steel.concentric_braces import HOMOGENEITY
 from edesign.codes.rule_check import RuleCheck, first_of_largest
 from edesign.errors import InputError
 from edesign.one_thread import one_thread

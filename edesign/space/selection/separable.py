@@ -12,7 +12,7 @@ from itertools import combinations
 
 import numpy as np
 
-from edesign.codes.ec8.concentric_braces import HOMOGENEITY
+from edesign.codes.ec8.steel.concentric_braces import HOMOGENEITY
 from edesign.space.selection.evaluate import Choice, Evaluation
 from edesign.space.selection.groups import Group
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from edesign.codes.ec8.analysis.torsion import accidental_eccentricity
 from edesign.codes.ec8.national import national_parameters
-from edesign.codes.ec8.torsion import accidental_eccentricity
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import national_of
 from edesign.project.building.building import Building

@@ -11,7 +11,7 @@ import numpy as np
 
 from edesign.codes.asce41 import target_displacement as asce41
 from edesign.codes.capacity_curve import CapacityCurve
-from edesign.codes.ec8 import target_displacement as n2
+from edesign.codes.ec8.analysis import target_displacement as n2
 from edesign.codes.fema356 import target_displacement as fema356
 from edesign.codes.motion_sets import DAMPING
 from edesign.codes.spectrum import Spectrum, characteristic_period

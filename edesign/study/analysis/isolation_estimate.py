@@ -9,7 +9,7 @@ from functools import cache
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.codes.ec8.isolation import EquivalentLinear, Loop, equivalent_linear
+from edesign.codes.ec8.analysis.isolation import EquivalentLinear, Loop, equivalent_linear
 from edesign.core import LawValues
 from edesign.damper.harmonic import effective_stiffness
 from edesign.errors import InputError

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from edesign.codes.ec8.torsion import accidental_eccentricity
+from edesign.codes.ec8.analysis.torsion import accidental_eccentricity
 from edesign.core import Modes
 from edesign.errors import AnalysisError
 from edesign.frame.frame_model import FrameModel

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.codes.ec8.target_displacement import RANGE
+from edesign.codes.ec8.analysis.target_displacement import RANGE
 from edesign.codes.fema356.target_displacement import unlimited_inelastic_factor
 from edesign.codes.spectrum import characteristic_period
 from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum

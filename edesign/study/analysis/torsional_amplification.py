@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from edesign.codes.ec8.modal_combination import LEAST_MASS, cqc, cqc_coefficients
+from edesign.codes.ec8.analysis.modal_combination import LEAST_MASS, cqc, cqc_coefficients
 from edesign.codes.spectrum import Spectrum
 from edesign.core import Modes
 from edesign.frame.frame_model import Floor, FrameModel, RigidPart

@@ -16,7 +16,7 @@ from edesign.assess.members import frame_members, member_usages
 from edesign.assess.performance import member_performance, set_performance
 from edesign.assess.sets import history_sets, measure_statistics
 from edesign.assess.verdicts import Verdict, judge
-from edesign.codes.ec8.accelerograms import SET_RULES
+from edesign.codes.ec8.action.accelerograms import SET_RULES
 from edesign.frame.devices import Device
 from edesign.report.inputs.damper_demand import demand
 from edesign.report.response.torsion_tables import torsion_tables

@@ -145,7 +145,7 @@ CASES = {
     "run all tables": Case(_project("--all"), "edesign.cli.run.overview", "the tables", ("out.h5",)),
     "run building": Case(
         _text("b.yaml", SMALL, "run", "b.yaml", "--archive", "out.h5"),
-        *("edesign.report.building.tables.short_building_tables", "the tables", ("out.h5",)),
+        *("edesign.report.building.tables.all.short_building_tables", "the tables", ("out.h5",)),
     ),
     "design": Case(
         *(_designed, "edesign.cli.design.selection_tables", "the tables"),

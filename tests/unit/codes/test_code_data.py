@@ -8,8 +8,8 @@ import pytest
 
 from edesign.codes import codes, find_code
 from edesign.codes.ec8 import ElasticSpectrum, HorizontalParameters, VerticalParameters, countries, national_parameters
-from edesign.codes.ec8.ground import ground_type
-from edesign.codes.ec8.importance import factor_of_probability, factor_of_return_period, return_period_of
+from edesign.codes.ec8.action.ground import ground_type
+from edesign.codes.ec8.action.importance import factor_of_probability, factor_of_return_period, return_period_of
 from edesign.codes.ec8.national import Parameter
 from edesign.errors import InputError
 from edesign.project.actions.hazard import OTHER_CODES, AsceHazard, EC8Hazard, Level, NtcHazard, UserHazard

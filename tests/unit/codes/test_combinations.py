@@ -7,7 +7,7 @@ import math
 import pytest
 
 from edesign.codes.ec8 import national_parameters
-from edesign.codes.ec8.directions import direction_factors, vertical_component_counts
+from edesign.codes.ec8.analysis.directions import direction_factors, vertical_component_counts
 from edesign.codes.en1990 import Combination, characteristic, frequent, fundamental, quasi_permanent, seismic
 from edesign.codes.en1990.combinations import stated
 from edesign.codes.en1991.imposed import alpha_A, alpha_n

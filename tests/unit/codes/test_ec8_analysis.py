@@ -12,19 +12,19 @@ from hypothesis import strategies as st
 from scipy.integrate import quad
 
 from edesign.codes.ec8 import DesignSpectrum, ElasticSpectrum, national_parameters
-from edesign.codes.ec8.design_displacement import design_displacement
-from edesign.codes.ec8.drift import drift_limit, reduced_drift
-from edesign.codes.ec8.lateral_force import lateral_forces
-from edesign.codes.ec8.modal_combination import (
+from edesign.codes.ec8.analysis.design_displacement import design_displacement
+from edesign.codes.ec8.analysis.lateral_force import lateral_forces
+from edesign.codes.ec8.analysis.modal_combination import (
     check_modes,
     close_modes,
     cqc,
     cqc_coefficients,
     needed_modes,
 )
-from edesign.codes.ec8.second_order import drift_sensitivity
-from edesign.codes.ec8.seismic_mass import phi
-from edesign.codes.ec8.torsion import accidental_eccentricity, accidental_moments
+from edesign.codes.ec8.analysis.seismic_mass import phi
+from edesign.codes.ec8.analysis.torsion import accidental_eccentricity, accidental_moments
+from edesign.codes.ec8.verification.drift import drift_limit, reduced_drift
+from edesign.codes.ec8.verification.second_order import drift_sensitivity
 from edesign.errors import InputError
 
 G = 9.80665

@@ -10,7 +10,7 @@ import math
 
 import pytest
 
-from edesign.codes.ec8.eccentric_braces import (
+from edesign.codes.ec8.steel.eccentric_braces import (
     LinkResistance,
     largest_rotation,
     link_resistance,

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import pytest
 
-from edesign.codes.ec8.isolation import EquivalentLinear
+from edesign.codes.ec8.analysis.isolation import EquivalentLinear
 
 MASS = 1e6
 GOOD = EquivalentLinear(0.2, MASS * (2.0 * math.pi / 2.5) ** 2, 0.2, MASS, 1.26, 0.6, 0.03)

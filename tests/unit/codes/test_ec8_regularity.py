@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from edesign.codes.ec8.regularity import (
+from edesign.codes.ec8.analysis.regularity import (
     NTC_2018,
     eccentricity_and_radius,
     gradual_mass,

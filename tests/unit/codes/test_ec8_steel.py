@@ -9,21 +9,20 @@ import math
 
 import pytest
 
-from edesign.codes.ec8.behaviour_factor import (
+from edesign.codes.ec8.steel.behaviour_factor import (
     SYSTEMS,
     alpha_ratio,
     behaviour_factor,
     largest_section_class,
     reference_q,
 )
-from edesign.codes.ec8.capacity import foundation_factor, overstrength
-from edesign.codes.ec8.concentric_braces import (
+from edesign.codes.ec8.steel.concentric_braces import (
     asymmetry,
     homogeneity,
     post_buckling_forces,
     slenderness,
 )
-from edesign.codes.ec8.moment_frames import (
+from edesign.codes.ec8.steel.moment_frames import (
     column_hinge_shear,
     hinge_shear,
     rotation_capacity,
@@ -32,7 +31,8 @@ from edesign.codes.ec8.moment_frames import (
     web_panel_shear,
     web_panel_slenderness,
 )
-from edesign.codes.ec8.strong_column import LEAST_RATIO, is_exempt, strength_ratio
+from edesign.codes.ec8.verification.capacity import foundation_factor, overstrength
+from edesign.codes.ec8.verification.strong_column import LEAST_RATIO, is_exempt, strength_ratio
 from edesign.errors import InputError
 
 

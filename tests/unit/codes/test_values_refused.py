@@ -12,11 +12,11 @@ from edesign.codes.asce7.spectrum import damping_coefficient
 from edesign.codes.ec3.lateral_torsional import slenderness
 from edesign.codes.ec3.materials import thickness_step
 from edesign.codes.ec3.moment_factors import linear_moment_factor_a
-from edesign.codes.ec8.design import DesignSpectrum
-from edesign.codes.ec8.importance import factor_of_probability
-from edesign.codes.ec8.lateral_force import lateral_forces
-from edesign.codes.ec8.moment_frames import rotation_capacity
-from edesign.codes.ec8.target_displacement import equivalent_oscillator
+from edesign.codes.ec8.action.design import DesignSpectrum
+from edesign.codes.ec8.action.importance import factor_of_probability
+from edesign.codes.ec8.analysis.lateral_force import lateral_forces
+from edesign.codes.ec8.analysis.target_displacement import equivalent_oscillator
+from edesign.codes.ec8.steel.moment_frames import rotation_capacity
 from edesign.codes.fema356.steel import COMPACT
 from edesign.codes.ntc2018 import NtcDesignSpectrum, NtcSpectrum, Site
 from edesign.errors import InputError

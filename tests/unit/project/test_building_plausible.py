@@ -11,7 +11,7 @@ from messages import says
 from edesign.frame.sections.profiles import profile_names
 from edesign.frame.sections.steel_section import steel_section
 from edesign.project.building import BuildingError
-from edesign.project.building.plausible import HEIGHT, POINT, WIDTH, unusual
+from edesign.project.building.checks.plausible import HEIGHT, POINT, WIDTH, unusual
 from edesign.project.notation.units import STANDARD_GRAVITY
 
 GIVEN = SMALL.replace("{from_loads: {}}", "{given: [{floors: 1-2, mass: 9 t}]}")

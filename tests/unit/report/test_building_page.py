@@ -17,13 +17,13 @@ from edesign.archive.writer import ArchiveWriter
 from edesign.frame.building_file import load_building
 from edesign.report.archive.document import page_text
 from edesign.report.archive.figures import all_figures
-from edesign.report.building.basis_tables import floors_table, joints_table, overstrength_table
 from edesign.report.building.checks import idle_sway, member_tables, worked_table, worked_worst
-from edesign.report.building.curves import mode_shapes
-from edesign.report.building.other_tables import other_tables
-from edesign.report.building.plans import _alike, _runs
+from edesign.report.building.figures.curves import mode_shapes
+from edesign.report.building.figures.plans import _alike, _runs
 from edesign.report.building.results import BuildingResults
-from edesign.report.building.tables import remarks
+from edesign.report.building.tables.all import remarks
+from edesign.report.building.tables.basis import floors_table, joints_table, overstrength_table
+from edesign.report.building.tables.other import other_tables
 from edesign.report.html.render import formula
 from edesign.report.tables.cell import Quantity
 from edesign.report.tables.unit import KN

@@ -17,9 +17,9 @@ from edesign.archive.reader import Archive, open_archive
 from edesign.cli.main import main
 from edesign.errors import ArchiveError, InputError
 from edesign.frame.building_file import load_building
-from edesign.report.building.combination_table import combinations_table, sway_table
 from edesign.report.building.results import BuildingResults
-from edesign.report.building.tables import building_tables
+from edesign.report.building.tables.all import building_tables
+from edesign.report.building.tables.combinations import combinations_table, sway_table
 from edesign.report.tables.text import broken, plain, print_tables, printed
 from edesign.study.run.building import run_building
 

@@ -9,7 +9,7 @@ import pytest
 from edesign.archive.reader import open_archive
 from edesign.assess.member_uses import loaded_members
 from edesign.assess.sets import HistorySet
-from edesign.codes.ec8.accelerograms import SET_RULES
+from edesign.codes.ec8.action.accelerograms import SET_RULES
 from edesign.errors import InputError
 from edesign.project import load_project
 from edesign.report.archive.loaded_member import loaded_member_data, loaded_member_tables

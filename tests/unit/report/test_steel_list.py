@@ -14,9 +14,9 @@ from edesign.archive.reader import open_archive
 from edesign.frame.building_file import load_building
 from edesign.frame.sections.building_sections import BuildingSections
 from edesign.project.loader import parse_project
-from edesign.report.building.force_diagrams import along_of, force_diagrams
+from edesign.report.building.figures.force_diagrams import along_of, force_diagrams
 from edesign.report.building.results import BuildingResults
-from edesign.report.building.steel_list import (
+from edesign.report.building.tables.steel_list import (
     beside_table,
     doublers_table,
     every_member_table,

@@ -9,7 +9,7 @@ from building_examples import SMALL
 from typer.testing import CliRunner
 
 from edesign.cli.main import app
-from edesign.codes.ec8.ground import ground_type
+from edesign.codes.ec8.action.ground import ground_type
 from edesign.errors import InputError
 from edesign.frame.project_file import load_study
 from edesign.ground_motion.sources import find_suite

@@ -9,11 +9,11 @@ import pytest
 from building_examples import NO_TORSION, PINNED, braced_frames, changed, design_of, moment_frames, number_of
 
 from edesign.archive.reader import open_archive
-from edesign.codes.ec8.capacity import foundation_factor
+from edesign.codes.ec8.verification.capacity import foundation_factor
 from edesign.frame.building_file import load_building
 from edesign.frame.sections.steel_section import steel_section
-from edesign.report.building.foundation_table import foundation_summary, foundation_table
 from edesign.report.building.results import BuildingResults
+from edesign.report.building.tables.foundations import foundation_summary, foundation_table
 from edesign.report.tables.number import significant
 from edesign.space.analysis.bracing import bracing
 from edesign.space.checks.foundations import supports

@@ -15,7 +15,7 @@ from edesign.frame.building_file import load_building
 from edesign.frame.sections.steel_section import steel_section
 from edesign.report.building.facts import design_rows
 from edesign.report.building.results import BuildingResults
-from edesign.report.building.tables import building_tables
+from edesign.report.building.tables.all import building_tables
 from edesign.study.run.building import run_building
 
 _EC8 = "hazard: {code: ec8-2004, a_gR: 2.5 m/s^2, ground: B, spectrum: 1, levels: {DBE: {gamma_I: 1.0}}}\n"

@@ -19,8 +19,8 @@ from edesign.frame.sections.building_sections import BuildingSections
 from edesign.frame.sections.section_lists import sections_of
 from edesign.frame.sections.steel_section import steel_section
 from edesign.project import parse_project
-from edesign.report.building.combination_table import combinations_table
 from edesign.report.building.results import BuildingResults
+from edesign.report.building.tables.combinations import combinations_table
 from edesign.space.check import check_building
 from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign
 from edesign.space.extract import StudyNames, frame_row, project_text

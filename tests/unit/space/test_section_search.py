@@ -15,7 +15,7 @@ from edesign.errors import InputError
 from edesign.frame.sections.steel_section import steel_section
 from edesign.one_thread import one_thread
 from edesign.project.building import Building
-from edesign.report.building.selection_tables import selection_tables
+from edesign.report.building.tables.selection import selection_tables
 from edesign.space.elastic_design import ElasticAnalysis
 from edesign.space.selection.evaluate import Evaluation, Evaluator
 from edesign.space.selection.groups import Group, groups_of

@@ -20,9 +20,9 @@ from edesign.frame.building_file import load_building
 from edesign.frame.sections.steel_section import steel_section
 from edesign.one_thread import one_thread
 from edesign.project.reading.problems import FileProblems
-from edesign.report.building.basis_tables import selection_table
 from edesign.report.building.results import BuildingResults
-from edesign.report.building.selection_tables import selection_tables
+from edesign.report.building.tables.basis import selection_table
+from edesign.report.building.tables.selection import selection_tables
 from edesign.report.tables.number import significant
 from edesign.space.check import check_building
 from edesign.space.checks.rules import brace_slenderness

@@ -10,30 +10,15 @@ from functools import partial
 from edesign.codes.building_rules import BuildingRules
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.report.building.assumptions import building_assumption_rows
-from edesign.report.building.basis_tables import (
-    floors_table,
-    joints_table,
-    materials_table,
-    overstrength_table,
-    selection_table,
-)
-from edesign.report.building.check_table import check_words, group_checks_table
 from edesign.report.building.checks import effects_table, worked_table, worked_worst
 from edesign.report.building.code_in_use import in_code, rules_in_use
-from edesign.report.building.combination_table import combinations_table, sway_table
-from edesign.report.building.curves import mode_shapes, spectra, storey_curves
-from edesign.report.building.deflection_table import deflection_table
-from edesign.report.building.elevations import elevations
 from edesign.report.building.facts import building_rows, design_rows
-from edesign.report.building.force_diagrams import force_diagrams
-from edesign.report.building.foundation_table import foundation_table, persistent_table, reaction_table
-from edesign.report.building.lateral_tables import drifts_table, lateral_cases_table
-from edesign.report.building.link_tables import link_details_table, links_table
-from edesign.report.building.model_figures import archived_building_model
-from edesign.report.building.other_tables import other_tables
+from edesign.report.building.figures.curves import mode_shapes, spectra, storey_curves
+from edesign.report.building.figures.elevations import elevations
+from edesign.report.building.figures.force_diagrams import force_diagrams
+from edesign.report.building.figures.model_figures import archived_building_model
 from edesign.report.building.results import BuildingResults
-from edesign.report.building.steel_list import beside_table, doublers_table, every_member_table, steel_list_table
-from edesign.report.building.tables import (
+from edesign.report.building.tables.all import (
     base_shear_table,
     criteria_table,
     failures,
@@ -44,6 +29,21 @@ from edesign.report.building.tables import (
     storeys_table,
     worst_of_groups,
 )
+from edesign.report.building.tables.basis import (
+    floors_table,
+    joints_table,
+    materials_table,
+    overstrength_table,
+    selection_table,
+)
+from edesign.report.building.tables.checks import check_words, group_checks_table
+from edesign.report.building.tables.combinations import combinations_table, sway_table
+from edesign.report.building.tables.deflections import deflection_table
+from edesign.report.building.tables.foundations import foundation_table, persistent_table, reaction_table
+from edesign.report.building.tables.lateral import drifts_table, lateral_cases_table
+from edesign.report.building.tables.links import link_details_table, links_table
+from edesign.report.building.tables.other import other_tables
+from edesign.report.building.tables.steel_list import beside_table, doublers_table, every_member_table, steel_list_table
 from edesign.report.drawing.captions import plain
 from edesign.report.html.section import Facts, Folded, Headline, Headlines, Part, Section, Warnings, made
 from edesign.report.page.project_facts import hazard_rows

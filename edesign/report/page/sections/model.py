@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from edesign.archive.reader import Archive
-from edesign.report.building.model_figures import building_model_figures
-from edesign.report.building.variant_elevations import variant_elevations
+from edesign.report.building.figures.model_figures import building_model_figures
+from edesign.report.building.figures.variant_elevations import variant_elevations
 from edesign.report.html.section import Section
 from edesign.report.inputs.designed_dampers import archived_dampers
 from edesign.report.model.archived import model_drawings

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 
 from edesign.codes.asce7.spectrum import EARTHQUAKES
-from edesign.codes.ec8.importance import NEAR_COLLAPSE, NEAR_COLLAPSE_CLAUSE, factor_of_return_period
+from edesign.codes.ec8.action.importance import NEAR_COLLAPSE, NEAR_COLLAPSE_CLAUSE, factor_of_return_period
 from edesign.damper.sizing import largest_damping
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import factor_of_level, national_of

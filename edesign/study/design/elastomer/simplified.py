@@ -9,7 +9,7 @@ from functools import partial
 
 import numpy as np
 
-from edesign.codes.ec8.lateral_force import base_shear, is_applicable, lateral_forces
+from edesign.codes.ec8.analysis.lateral_force import base_shear, is_applicable, lateral_forces
 from edesign.project.checks.designs import design_warnings
 from edesign.project.dampers.designs import SimplifiedDesign
 from edesign.study.design.building import Building

@@ -15,7 +15,7 @@ from edesign.project.building.names import ColumnLine, Direction, frame_name, li
 from edesign.project.building.supports import DIRECTIONS as DEGREES
 from edesign.project.building.supports import FIXED, PINNED, Springs
 from edesign.project.frame.foundations import FootingSupport
-from edesign.report.building.model_ends import EndsOfFrame, is_weak
+from edesign.report.building.figures.model_ends import EndsOfFrame, is_weak
 from edesign.report.drawing.building_drawing import BuildingElevation
 from edesign.report.drawing.captions import file_name, some_names
 from edesign.report.model.boxes import Spot

@@ -5,8 +5,8 @@ from __future__ import annotations
 from edesign.project.actions.hazard import NtcHazard
 from edesign.project.actions.loads import PartialLoad
 from edesign.project.building.building import Building
-from edesign.project.building.checks_cases import check_cases
-from edesign.project.building.checks_selections import Selections
+from edesign.project.building.checks.cases import check_cases
+from edesign.project.building.checks.selections import Selections
 from edesign.project.building.layout import edges
 from edesign.project.building.loads import Areas, BeamLoad, Combination, NodeLoad, PerimeterLoad
 from edesign.project.building.names import BeamPlace, node_name

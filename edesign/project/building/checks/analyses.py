@@ -8,7 +8,7 @@ from edesign.project.analysis.outputs import FibreOutput, SectionOutput
 from edesign.project.analysis.pushover import WAYS, Pushovers
 from edesign.project.analysis.shaking import IN_PLACE, eccentricity_of
 from edesign.project.building.building import Building
-from edesign.project.building.checks_selections import Selections
+from edesign.project.building.checks.selections import Selections
 from edesign.project.building.members import AS_DEVICES, NO_LAW_OF_LINKS, BraceRun, ColumnRun
 from edesign.project.checks.analyses import check_shared
 from edesign.project.checks.outputs import check_kept, check_member

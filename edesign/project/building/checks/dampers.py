@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from edesign.project.building.building import Building
-from edesign.project.building.checks_selections import Selections
+from edesign.project.building.checks.selections import Selections
 from edesign.project.building.names import BeamPlace, node_name
 from edesign.project.building.supports import Springs
 from edesign.project.checks.dampers import check_apart, check_devices

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from edesign.codes.ec8.strong_column import LEAST_RATIO
+from edesign.codes.ec8.verification.strong_column import LEAST_RATIO
 from edesign.codes.rule_check import ROUNDING
 from edesign.report.building.results import MET, NOT_MET, UNITS, BuildingResults, Row, part
 from edesign.report.tables.cell import Quantity, Value

@@ -9,10 +9,10 @@ import numpy as np
 
 from edesign.archive.reader import Archive
 from edesign.codes.rule_check import first_of_largest
-from edesign.report.building.check_table import check_words
 from edesign.report.building.checks import forces_along, governing
-from edesign.report.building.elevations import different_frames, frames_of, grid_lines, largest_use
+from edesign.report.building.figures.elevations import different_frames, frames_of, grid_lines, largest_use
 from edesign.report.building.results import BuildingResults
+from edesign.report.building.tables.checks import check_words
 from edesign.report.model.diagrams import COLORS, QUANTITIES, Along, Quantity, draw_diagram
 from edesign.report.model.elevation import Grid
 from edesign.report.model.figures import Named

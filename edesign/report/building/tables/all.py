@@ -14,15 +14,15 @@ from edesign.codes.rule_check import first_of_largest, with_standard
 from edesign.errors import ArchiveError
 from edesign.project.notation.printed_unit import told_apart
 from edesign.project.notation.units import STANDARD_GRAVITY
-from edesign.report.building.check_table import check_words, use
 from edesign.report.building.code_in_use import in_code, rules_in_use
-from edesign.report.building.combination_table import combinations_table, sway_table
-from edesign.report.building.deflection_table import deflection_table
-from edesign.report.building.foundation_table import foundation_table, persistent_table, reaction_table
-from edesign.report.building.lateral_tables import drifts_table, lateral_cases_table
-from edesign.report.building.link_tables import link_details_table, links_table
 from edesign.report.building.results import MET, NOT_MET, BuildingResults, Row
-from edesign.report.building.steel_list import beside_table, doublers_table, every_member_table, steel_list_table
+from edesign.report.building.tables.checks import check_words, use
+from edesign.report.building.tables.combinations import combinations_table, sway_table
+from edesign.report.building.tables.deflections import deflection_table
+from edesign.report.building.tables.foundations import foundation_table, persistent_table, reaction_table
+from edesign.report.building.tables.lateral import drifts_table, lateral_cases_table
+from edesign.report.building.tables.links import link_details_table, links_table
+from edesign.report.building.tables.steel_list import beside_table, doublers_table, every_member_table, steel_list_table
 from edesign.report.tables.cell import Rounded, Value
 from edesign.report.tables.column import bounded, col, count, formula, text, verdict
 from edesign.report.tables.number import finite, significant

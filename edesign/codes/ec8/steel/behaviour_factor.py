@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from edesign.codes.ec8.regularity import IRREGULAR_Q
+from edesign.codes.ec8.analysis.regularity import IRREGULAR_Q
 from edesign.codes.names import unknown
 from edesign.errors import InputError
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from edesign.project.building.building import Building
-from edesign.project.building.checks_selections import Selections
+from edesign.project.building.checks.selections import Selections
 from edesign.project.checks.hinges import check_ends, no_rigid_ends
 from edesign.project.reading.problems import Problems
 

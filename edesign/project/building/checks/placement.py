@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from edesign.project.building.building import Building
-from edesign.project.building.checks_dampers import check_places
-from edesign.project.building.checks_selections import Selections
+from edesign.project.building.checks.dampers import check_places
+from edesign.project.building.checks.selections import Selections
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.notation.grid import BayPlace
 from edesign.project.reading.problems import Keys, Problems

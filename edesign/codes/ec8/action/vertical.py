@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from edesign.codes.ec8.elastic import ComponentSpectrum
-from edesign.codes.ec8.parameters import VerticalParameters
+from edesign.codes.ec8.action.elastic import ComponentSpectrum
+from edesign.codes.ec8.action.parameters import VerticalParameters
 
 
 @dataclass(frozen=True)

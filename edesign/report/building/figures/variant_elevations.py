@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from edesign.project.building import Building
 from edesign.project.dampers.dampers import Dampers
 from edesign.project.study.study import Study
-from edesign.report.building.model_elevations import model_elevations
+from edesign.report.building.figures.model_elevations import model_elevations
 from edesign.report.model.figures import Named
 from edesign.space.structure.geometry import space_frame
 from edesign.study.plan.variants import variant_project

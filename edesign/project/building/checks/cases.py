@@ -7,7 +7,7 @@ from typing import get_args
 
 from edesign.project.actions.national import Category
 from edesign.project.building.building import Building
-from edesign.project.building.checks_selections import Selections
+from edesign.project.building.checks.selections import Selections
 from edesign.project.building.names import node_name
 from edesign.project.building.own_cases import NAMED_CATEGORIES, LoadCaseOfFile, cases_of
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name

@@ -9,7 +9,7 @@ from itertools import groupby
 import numpy as np
 
 from edesign.archive.reader import Archive
-from edesign.report.building.elevations import grid_lines, hinges
+from edesign.report.building.figures.elevations import grid_lines, hinges
 from edesign.report.building.results import BuildingResults, BuildingValues
 from edesign.report.drawing.style import AFTER, TARGET
 from edesign.report.model.boxes import Spot

@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from pydantic_core import PydanticCustomError
 
 from edesign.project.building.building import Building
-from edesign.project.building.checks_selections import Selections
+from edesign.project.building.checks.selections import Selections
 from edesign.project.building.layout import DIRECTIONS, Panel, corners, met_beam, ways
 from edesign.project.building.members import CHEVRONS, BeamRun, BraceRun, ColumnRun
 from edesign.project.building.names import BeamPlace, column_name, frame_name, node_name

@@ -7,10 +7,10 @@ from collections.abc import Iterator, Sequence
 from edesign.archive.reader import Archive
 from edesign.project.building import Building
 from edesign.report.archived import archived_building
-from edesign.report.building.load_plans import load_plans
-from edesign.report.building.model_elevations import model_elevations
-from edesign.report.building.model_values import ModelValues
-from edesign.report.building.plans import plans, plans_of
+from edesign.report.building.figures.load_plans import load_plans
+from edesign.report.building.figures.model_elevations import model_elevations
+from edesign.report.building.figures.model_values import ModelValues
+from edesign.report.building.figures.plans import plans, plans_of
 from edesign.report.model.figures import Named
 from edesign.space.structure.geometry import space_frame
 

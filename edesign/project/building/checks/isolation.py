@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from edesign.project.building.building import Building
-from edesign.project.building.checks_selections import Selections
+from edesign.project.building.checks.selections import Selections
 from edesign.project.building.isolation import Isolation
 from edesign.project.building.supports import Springs
 from edesign.project.checks.isolation import check_isolated_analyses, check_isolator, check_law

@@ -10,8 +10,8 @@ from typing import Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from edesign.codes.ec8.branches import checked_periods
-from edesign.codes.ec8.elastic import ElasticSpectrum
+from edesign.codes.ec8.action.branches import checked_periods
+from edesign.codes.ec8.action.elastic import ElasticSpectrum
 from edesign.codes.motion_sets import SetRules
 from edesign.codes.names import unknown
 from edesign.errors import InputError

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from edesign.archive.reader import Archive
-from edesign.codes.ec8.second_order import AMPLIFIED, LARGEST, NEGLIGIBLE
+from edesign.codes.ec8.verification.second_order import AMPLIFIED, LARGEST, NEGLIGIBLE
 from edesign.report.building.code_in_use import rules_in_use
-from edesign.report.building.elevations import strokes
+from edesign.report.building.figures.elevations import strokes
 from edesign.report.building.results import BuildingResults
 from edesign.report.drawing.captions import plain
 from edesign.report.drawing.panels import LINE

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from edesign.codes.ec8.branches import checked_action, four_branches
-from edesign.codes.ec8.elastic import ElasticSpectrum
-from edesign.codes.ec8.vertical import VerticalSpectrum
+from edesign.codes.ec8.action.branches import checked_action, four_branches
+from edesign.codes.ec8.action.elastic import ElasticSpectrum
+from edesign.codes.ec8.action.vertical import VerticalSpectrum
 from edesign.errors import InputError
 
 LARGEST_VERTICAL_Q = 1.5

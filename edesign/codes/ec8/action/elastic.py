@@ -11,9 +11,9 @@ from typing import Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from edesign.codes.ec8.accelerograms import SET_RULES
-from edesign.codes.ec8.branches import checked_action, displacement_of, four_branches
-from edesign.codes.ec8.parameters import HorizontalParameters, VerticalParameters
+from edesign.codes.ec8.action.accelerograms import SET_RULES
+from edesign.codes.ec8.action.branches import checked_action, displacement_of, four_branches
+from edesign.codes.ec8.action.parameters import HorizontalParameters, VerticalParameters
 from edesign.codes.motion_sets import SetRules
 from edesign.errors import InputError
 

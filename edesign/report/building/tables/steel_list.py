@@ -13,8 +13,8 @@ from edesign.codes.rule_check import first_of_largest
 from edesign.frame.sections.own_section import section_of
 from edesign.frame.sections.section_lists import family_of
 from edesign.project.building.design import DEFAULT_PRICE, PricesEach
-from edesign.report.building.check_table import check_words, use
 from edesign.report.building.results import MET, NOT_MET, BuildingResults
+from edesign.report.building.tables.checks import check_words, use
 from edesign.report.inputs.steel_list import Pieces, Plate, doubler_plates, plate_of, steel_list
 from edesign.report.tables.cell import Value
 from edesign.report.tables.column import col, count, text, verdict

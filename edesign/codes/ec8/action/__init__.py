@@ -1,0 +1,1 @@
+"""The seismic action of EN 1998-1:2004: ground, spectra, importance, accelerograms."""

@@ -1,0 +1,1 @@
+"""The building as figures: plans, elevations, loads, spectra, diagrams of forces."""

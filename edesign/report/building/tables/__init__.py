@@ -1,0 +1,1 @@
+"""The elastic design of a building as tables."""
