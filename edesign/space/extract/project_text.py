@@ -436,9 +436,12 @@ class _ProjectText:
         return [f"  dissipative: {{beams: [{beams}]}}"] if found else []
 
     def _elastic_use(self) -> list[str]:
-        """The use of the frame's members in the elastic design, a line each."""
+        """The use of the frame's members in the elastic design, a line each; braces that are dampers here are none."""
         here = {frame.name for frame in self.row.frames}
-        names = [member.name for member in self.row.space.members if here & set(member.frame)]
+        braces = [pair for frame in self.row.frames for pair in frame.braces.items()]
+        devices = {place.name(way) for place, run in braces if run.law is not None for way in ways(place, run)}
+        of_frame = [member.name for member in self.row.space.members if here & set(member.frame)]
+        names = [name for name in of_frame if name not in devices]
         text = ["  elastic_use:                 # largest of all checks of the building, by `edesign extract`"]
         for name in names:
             if (of := self.elastic.get(name)) is None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
+from typing import get_args
 
 import numpy as np
 import pytest
@@ -17,6 +18,7 @@ from edesign.frame.sections.building_sections import BuildingSections
 from edesign.project import Project, parse_project
 from edesign.project.actions.loads import Combination
 from edesign.project.building import Building
+from edesign.project.building.members import CHEVRONS, BraceKind
 from edesign.project.frame.hinges import HingeValues
 from edesign.project.notation.names import node_name
 from edesign.project.notation.units import STANDARD_GRAVITY
@@ -26,6 +28,7 @@ from edesign.space.extract.selections import runs
 from edesign.space.structure.geometry import space_frame
 from edesign.space.structure.masses import gravity_factor
 from edesign.study.analysis.modal import fundamental_period
+from edesign.study.check.summary import check_project
 
 THESIS = Path(__file__).parents[3] / "projects" / "thesis_building"
 DIGITS = 1e-5  # of values that are written with six digits
@@ -280,6 +283,20 @@ def test_use_of_the_elastic_design_goes_with_the_frame() -> None:
         N = design.effects.seismic[1, number[name], :, 0].max()
         assert across.N == pytest.approx(factor * N, rel=1e-3)
         assert across.N > 1e3
+
+
+@pytest.mark.parametrize("kind", get_args(BraceKind))
+def test_frames_on_braces_of_every_kind_pass_their_checks(kind: str) -> None:
+    """A use in the elastic design belongs to a member of the frame, where braces halve beams and where they do not."""
+    system = "concentric_v" if kind in CHEVRONS else "concentric_diagonal"
+    storeys = "storeys: 2, kind: v" if kind == "v" else f"kind: {kind}"  # a V stands on a beam
+    whole = building(SMALL.replace("kind: cross", storeys).replace("concentric_diagonal", system))
+    text = project_text(frame_row(whole, space_frame(whole), "YA"), elastic=elastic_use(whole, "y"))
+    read = parse_project(text, "frame.yaml", BuildingSections())
+    assert "frame" in check_project(read)
+    assert read.design is not None
+    named = {name for name in read.design.elastic_use if name[0] == "D"}
+    assert named == {name for name in read.frame.members if name[0] == "D"} != set()
 
 
 def test_buildings_without_a_design_have_no_use_in_it() -> None:

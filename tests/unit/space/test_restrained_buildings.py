@@ -23,12 +23,13 @@ from edesign.report.building.results import BuildingResults
 from edesign.report.building.tables.combinations import combinations_table
 from edesign.space.check import check_building
 from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign
-from edesign.space.extract import StudyNames, frame_row, project_text
+from edesign.space.extract import StudyNames, elastic_use, frame_row, project_text
 from edesign.space.nonlinear.build import build_building
 from edesign.space.selection.groups import groups_of
 from edesign.space.structure.geometry import space_frame
 from edesign.space.structure.model import member_properties
 from edesign.study.analysis.structure import make_structure
+from edesign.study.check.summary import check_project
 from edesign.study.run.building import run_building
 
 BRACED = """\
@@ -257,6 +258,20 @@ def test_extracted_frames_have_them_as_dampers() -> None:
     other = building(inverted)
     with pytest.raises(InputError, match="`v` is none of them.*E-DEVICE-04"):
         project_text(frame_row(other, space_frame(other), "YA"))
+
+
+@pytest.mark.parametrize("kind", ["rising", "falling", "alternating", "chevron"])
+def test_extracted_frames_with_uses_of_the_design_pass_their_checks(kind: str) -> None:
+    """Braces that became dampers are members no more; those that are keep what the elastic design found for them."""
+    made = building(BRACED.replace("kind: chevron", f"kind: {kind}"))
+    uses = elastic_use(made, "y")
+    read = parse_project(
+        project_text(frame_row(made, space_frame(made), "YA"), elastic=uses), "frame.yaml", BuildingSections()
+    )
+    assert "frame" in check_project(read)
+    assert read.design is not None
+    assert set(read.design.elastic_use) == set(read.frame.members)
+    assert any(name.startswith("DY_A") for name in uses)
 
 
 def test_report_says_what_the_braces_bring(tmp_path: Path) -> None:
