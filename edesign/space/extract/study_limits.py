@@ -16,6 +16,8 @@ from edesign.space.structure.design_block import design_of
 OBJECTIVES = ("h", "l")
 """The basic safety objective. Source: FEMA 356, Table C1-1 (letters of thesis Table 5.4)."""
 
+_EC8, _NTC, _ASKED = "EN 1998-1, 4.4.3.2", "NTC 2018, 7.3.6.1", "as asked for"
+
 
 @dataclass(frozen=True)
 class StudyLimits:
@@ -25,7 +27,8 @@ class StudyLimits:
         level: of the design, whose residual drift is limited; its spectrum gives what the dampers reach.
         drift_level: at which drifts are limited.
         drift: the largest of them, a ratio.
-        source: of this limit, in words.
+        drift_is: how this limit comes about, in words.
+        source: clause of the limit; "" if it was asked for.
         reached: drift at `level`, for the thickness of the layers.
         reached_by: where this drift comes from, in words.
         objectives: letters of FEMA 356 that are judged too.
@@ -34,6 +37,7 @@ class StudyLimits:
     level: str
     drift_level: str
     drift: float
+    drift_is: str
     source: str
     reached: float
     reached_by: str
@@ -75,11 +79,11 @@ def study_limits(building: Building, drift: float | None = None) -> StudyLimits:
     if isinstance(hazard, NtcHazard):
         return _by_ntc(building, hazard, given, drift)
     limit, level = drift_limit(given.limit), building.design_level or next(iter(hazard.levels))
-    most, why = limit / given.nu, f"{100.0 * limit:g} % / nu = {given.nu:g}, EN 1998-1, 4.4.3.2"
-    most, why = (most, why) if drift is None else (drift, "as asked for")
+    most, why, clause = limit / given.nu, f"{100.0 * limit:g} % / nu = {given.nu:g}", _EC8
+    most, why, clause = (most, why, clause) if drift is None else (drift, _ASKED, "")
     with_strain = "with the strain limit it gives the thickness of the layers"
     letters = tuple(letter for letter in OBJECTIVES if objective_level(letter, hazard) is not None)
-    return StudyLimits(level, level, most, why, most, with_strain, objectives=letters)
+    return StudyLimits(level, level, most, why, clause, most, with_strain, objectives=letters)
 
 
 def _by_ntc(building: Building, hazard: NtcHazard, given: Drift, drift: float | None) -> StudyLimits:
@@ -88,8 +92,7 @@ def _by_ntc(building: Building, hazard: NtcHazard, given: Drift, drift: float | 
     state, limit = limit_state_of_drift(use), limit_of_drift(given.limit, use)
     level = building.design_level or _level_of(building, "SLV", "strength and dampers are looked at under it")
     drift_level = _level_of(building, state, f"drifts of class of use {use} are limited under it")
-    why = f"NTC 2018, 7.3.6.1, class of use {use}, {state}"
-    most, why = (limit, why) if drift is None else (drift, f"as asked for, {state}")
+    most, why = (limit, f"class of use {use}, {state}") if drift is None else (drift, f"{_ASKED}, {state}")
     at_level, at_drift = (_velocity_branch(hazard, name) for name in (level, drift_level))
     reached = most * max(1.0, at_level / at_drift)
     return StudyLimits(
@@ -97,6 +100,7 @@ def _by_ntc(building: Building, hazard: NtcHazard, given: Drift, drift: float | 
         drift_level,
         most,
         why,
+        "" if drift is not None else _NTC,
         reached,
         f"{100.0 * most:g} % times S_De of {level} over {drift_level}",
     )

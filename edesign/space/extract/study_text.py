@@ -38,8 +38,8 @@ DISTANCES = (5e3, 10e3, 15e3, 20e3, 30e3, 40e3, 60e3, 80e3)
 """Of simulated records, m: that whose motion has the peak nearest to a_g S is taken, so that scaling stays modest."""
 _SURFACE_OF_E = "C"  # ground E has the velocity of C or D near the surface
 
-RESIDUAL_DRIFT = 0.005
-"""Source: FEMA P-58-1 (2012), Appendix C: damage state 2, from which on a frame has to be straightened."""
+RESIDUAL_DRIFT, RESIDUAL_SOURCE = 0.005, "FEMA P-58-1, Appendix C, damage state 2"
+"""Damage state 2 (edition of 2012), from which on a frame has to be straightened."""
 
 
 @dataclass(frozen=True)
@@ -145,12 +145,12 @@ histories:
 {histories}
 
 criteria:
-  - name: drift                         # {limits.source}
-    measure: interstorey_drift
+  - name: drift                         # {limits.drift_is}
+{_source(limits.source)}    measure: interstorey_drift
     levels: {yaml_text(limits.drift_level)}
     most: {100.0 * limits.drift:.6g} %
-  - name: residual drift                # up to it a frame needs no straightening (FEMA P-58)
-    measure: residual_interstorey_drift
+  - name: residual drift                # up to it a frame needs no straightening
+{_source(RESIDUAL_SOURCE)}    measure: residual_interstorey_drift
     levels: {level}
     most: {100.0 * RESIDUAL_DRIFT:g} %
 {_uses(row, level)}
@@ -171,17 +171,22 @@ def _uses(row: FrameRow, level: str) -> str:
     """Criteria of members that are not meant to yield: columns, and beams and braces that are not dissipative."""
     if row.building.design is None:
         return ""
-    asked = [("sections", "section_use", "# columns, and what is not meant to yield: EN 1993-1-1, 6.2")]
-    asked.append(("members", "member_use", "# likewise against buckling: 6.3"))
+    asked = [("sections", "section_use", "6.2", "# columns, and what is not meant to yield")]
+    asked.append(("members", "member_use", "6.3", "# likewise against buckling"))
     of_design = design_of(row.building)
     yields = of_design.ductility_class != "low" and system_of(of_design, row.along).type != MOMENT_FRAME
     if any(frame.braces for frame in row.frames) and not yields:
-        asked.append(("braces", "brace_use", "# likewise in tension and against buckling"))
+        asked.append(("braces", "brace_use", "6.2.3, 6.3.1", "# likewise in tension and against buckling"))
     return "".join(
-        f"  - name: {name:<30}{told}\n    quantity: {quantity}\n    of: not_dissipative\n    levels: {level}\n"
-        f"    most: 1\n"
-        for name, quantity, told in asked
+        f"  - name: {name:<30}{told}\n{_source(f'EN 1993-1-1, {clause}')}    quantity: {quantity}\n"
+        f"    of: not_dissipative\n    levels: {level}\n    most: 1\n"
+        for name, quantity, clause, told in asked
     )
+
+
+def _source(clause: str) -> str:
+    """The line of a criterion that says where its limit comes from, which the report prints beside the check."""
+    return f"    source: {yaml_text(clause)}\n" if clause else ""
 
 
 def _motions(row: FrameRow) -> dict[str, tuple[list[str], str]]:

@@ -44,6 +44,12 @@ def test_the_study_is_that_of_the_building(tmp_path: Path) -> None:
         ("section_use", "not_dissipative", 1.0),
         ("member_use", "not_dissipative", 1.0),
     ]
+    assert [of.source for of in study.criteria] == [
+        "EN 1998-1, 4.4.3.2",
+        "FEMA P-58-1, Appendix C, damage state 2",
+        "EN 1993-1-1, 6.2",
+        "EN 1993-1-1, 6.3",
+    ]
     columns = [name for name in study.base.grid.members if not study.base.dissipative(name)]
     assert columns and {name[0] for name in columns} == {"C"}  # all beams of the moment frame are to yield
     assert study.objectives == ("h", "l")
@@ -81,7 +87,7 @@ def test_the_study_of_a_building_by_ntc_2018(tmp_path: Path) -> None:
     study = study_of(tmp_path, ntc())
     drift, residual, *_ = study.criteria
     assert (drift.levels, drift.most, drift.statistic) == (("SLD",), pytest.approx(0.0075), "code")
-    assert residual.levels == ("SLV",) and study.objectives == ()
+    assert residual.levels == ("SLV",) and study.objectives == () and drift.source == "NTC 2018, 7.3.6.1"
     design = study.designs["dampers"]
     assert isinstance(design, StrainEnergyDesign) and design.verify is not None
     assert design.level == "SLV" and design.drift == pytest.approx(0.021705, rel=1e-3)
@@ -143,7 +149,7 @@ def test_motions_are_simulated_for_the_ground_until_recordings_are_named(tmp_pat
 def test_recordings_and_drift_of_the_command(tmp_path: Path) -> None:
     (tmp_path / "mine").mkdir()
     study = study_of(tmp_path, SMALL, "--recordings", str(tmp_path / "mine"), "--drift", "1 %")
-    assert study.criteria[0].most == pytest.approx(0.01)
+    assert study.criteria[0].most == pytest.approx(0.01) and study.criteria[0].source is None
     assert 'folders: ["mine"]' in study.base.text or "folders: [mine]" in study.base.text
 
 
