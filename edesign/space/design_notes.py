@@ -109,8 +109,8 @@ def _of_response(found: ElasticDesign, by_ntc: bool) -> list[str]:
     notes = []
     if by_ntc:
         notes.append(
-            "gamma_G of all permanent loads is that of G_1: those that are not structural are taken as well defined "
-            "(NTC 2018, Table 2.6.I, note 1); otherwise give `partial_factors: {G: 1.5}`"
+            "permanent loads `G` have gamma_G of G_1: what of them is not structural is taken as well defined "
+            "(NTC 2018, Table 2.6.I, note 1); otherwise give it as `G2`"
         )
         notes.append(
             "capacity over demand of adjacent storeys is not compared (NTC 2018, 7.2.1 f); where it differs by more "

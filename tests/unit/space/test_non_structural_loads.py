@@ -48,6 +48,8 @@ def test_column_bases_carry_the_factored_loads() -> None:
     """
     apart, joined = design_of(_APART), design_of(_TEXT)
     assert apart.foundations.persistent == ("1.3 G + 1.5 G2 + 1.5 Q",)
+    for of in (apart, joined):  # what they say of gamma_G holds with and without G2
+        assert [note for note in of.notes if note.startswith("permanent loads `G` have gamma_G of G_1")]
     for of, load in ((apart, 475.2e3), (joined, 456e3)):
         assert of.foundations.acting[0, :, 2].sum() == pytest.approx(load, rel=1e-9)
         assert of.frame.node_mass.sum() == pytest.approx(268.8e3 / G, rel=1e-9)
