@@ -85,8 +85,14 @@ def export(
         kept = f"the results are in {archive}"  # and each form of the tables does without the others
         if xlsx is not None:
             with optional(str(xlsx), kept, passing=(EdesignError,)):
-                write_workbook(found, facts, xlsx)
-                print(f"{xlsx}: {len(found)} tables")
+                larger = write_workbook(found, facts, xlsx)
+                print(f"{xlsx}: {len(found) - len(larger)} tables")
+                for table in larger:
+                    print(
+                        f"without {table.name}: its {table.rows} rows and {len(table.columns)} columns are more than a "
+                        f"sheet takes; edesign export {archive} --tables {table.name} --csv FOLDER writes it, "
+                        "as --parquet does"
+                    )
         if csv is not None:
             with optional(str(csv), kept, passing=(EdesignError,)):
                 print(f"{csv}: {len(write_csv_folder(found, facts, csv))} tables, listed in contents.csv")

@@ -36,7 +36,7 @@ _OPTIONS = {
 _NUMBER = re.compile(r"([+-]*)(\d+)(\.\d*)?(e[+-]\d+)?(.*)")
 
 
-def write_workbook(tables: Sequence[ExportTable], facts: Mapping[str, str], path: Path) -> None:
+def write_workbook(tables: Sequence[ExportTable], facts: Mapping[str, str], path: Path) -> list[ExportTable]:
     """Write tables as a workbook; numbers keep all their digits and are shown with those of the report.
 
     Args:
@@ -44,27 +44,35 @@ def write_workbook(tables: Sequence[ExportTable], facts: Mapping[str, str], path
         facts: of the last sheet, the provenance.
         path: the workbook, whole or not at all.
 
+    Returns:
+        The tables that are larger than a sheet can be: the contents name them, and they have no sheet.
+
     Raises:
-        InputError: XlsxWriter is missing, or a table is larger than a sheet can be.
+        InputError: XlsxWriter is missing, or every table is larger than a sheet can be.
         ArchiveError: it cannot be written.
     """
     try:
         import xlsxwriter
     except ImportError as error:
         raise InputError(NO_EXTRA) from error
-    for table in tables:
-        last = table.rows + _HEAD + 1 + len(table.notes)
-        if last > MOST_ROWS or len(table.columns) > MOST_COLUMNS:
-            raise InputError(
-                f"table {table.name}: {table.rows} rows and {len(table.columns)} columns are more than a sheet takes "
-                f"({MOST_ROWS} and {MOST_COLUMNS}); use --csv or --parquet, or choose others by --tables [E-CLI-07]"
-            )
+    larger = [table for table in tables if not _fits(table)]
+    if larger and len(larger) == len(tables):
+        table = larger[0]
+        raise InputError(
+            f"table {table.name}: {table.rows} rows and {len(table.columns)} columns are more than a sheet takes "
+            f"({MOST_ROWS} and {MOST_COLUMNS}); use --csv or --parquet, or choose others by --tables [E-CLI-07]"
+        )
 
     def write(partial: Path) -> None:
         with xlsxwriter.Workbook(partial, _OPTIONS) as book:
-            _fill(book, tables, facts)
+            _fill(book, [table for table in tables if _fits(table)], facts, larger)
 
     write_whole(path, write)
+    return larger
+
+
+def _fits(table: ExportTable) -> bool:
+    return table.rows + _HEAD + 1 + len(table.notes) <= MOST_ROWS and len(table.columns) <= MOST_COLUMNS
 
 
 def sheet_names(names: Sequence[str]) -> list[str]:
@@ -88,7 +96,9 @@ def number_format(text: str) -> str:
     return f'"±"{digits}' if sign == "+-" else digits
 
 
-def _fill(book: Workbook, tables: Sequence[ExportTable], facts: Mapping[str, str]) -> None:
+def _fill(
+    book: Workbook, tables: Sequence[ExportTable], facts: Mapping[str, str], larger: Sequence[ExportTable]
+) -> None:
     # no clock of ours: the same archive gives the same workbook
     book.set_properties({"title": facts.get("title", ""), "created": _created(facts), "comments": _origin(facts)})
     bold, link = book.add_format({"bold": True}), book.get_default_url_format()
@@ -115,6 +125,11 @@ def _fill(book: Workbook, tables: Sequence[ExportTable], facts: Mapping[str, str
         _text(provenance, row, 1, text)
     contents.write_url(row := len(tables) + _HEAD + 1, 0, f"internal:'{PROVENANCE}'!A1", link, PROVENANCE)
     contents.write_string(row, 1, "The archive, checksums of its input, versions")
+    for row, table in enumerate(larger, start=row + 1):
+        _text(contents, row, 0, table.name)
+        _text(contents, row, 1, f"{table.title} (larger than a sheet: by --csv or --parquet)")
+        contents.write_number(row, 2, table.rows)
+        contents.write_number(row, 3, len(table.columns))
 
 
 def _sheet(book: Workbook, sheet: Worksheet, table: ExportTable, forms: dict[str, Any], bold: Any, link: Any) -> None:

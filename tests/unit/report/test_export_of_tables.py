@@ -238,13 +238,19 @@ def test_errors_name_tables_files_and_packages(
     assert not list(tmp_path.iterdir())
 
 
-def test_a_table_that_no_sheet_takes_is_refused(tmp_path: Path) -> None:
+def test_a_table_that_no_sheet_takes_is_left_out_and_refused_alone(tmp_path: Path) -> None:
     from edesign.report.export.workbook import MOST_ROWS, write_workbook
 
     table = ExportTable("forces", "Forces", (ExportColumn("n", "", range(MOST_ROWS)),))
     with pytest.raises(InputError, match="table forces: 1048576 rows .*--csv.*E-CLI-07"):
         write_workbook([table], {}, tmp_path / "a.xlsx")
     assert not list(tmp_path.iterdir())
+    small = ExportTable("loads", "Loads", (ExportColumn("n", "", [1.0]),))
+    assert write_workbook([table, small], {}, tmp_path / "a.xlsx") == [table], "the others are written"
+    book = openpyxl.load_workbook(tmp_path / "a.xlsx")
+    assert book.sheetnames == ["contents", "loads", "provenance"]
+    assert [book["contents"].cell(6, column).value for column in (1, 3)] == ["forces", MOST_ROWS]
+    assert "--csv" in book["contents"].cell(6, 2).value
 
 
 def test_the_motion_of_nodes_is_a_history(tmp_path: Path) -> None:
