@@ -7,8 +7,7 @@ from typing import NamedTuple
 
 from edesign.assess.verdicts import Verdict
 from edesign.project.criteria.criteria import Criterion
-from edesign.report.assessment.verdict_tables import answer, measured
-from edesign.report.drawing.captions import record_label
+from edesign.report.assessment.verdict_tables import answer, governs, measured
 from edesign.report.tables.cell import Marked, Value
 from edesign.report.tables.column import col, text, verdict
 from edesign.report.tables.table import Table, TableSpec
@@ -29,40 +28,30 @@ class _Check(NamedTuple):
             return value
         return Marked(value, f" ({self.found.statistic} of {min(self.found.count, self.found.number)})")
 
-    @property
-    def governs(self) -> str | None:
-        """The place and the motion of the value."""
-        if self.found.negligible:
-            return None
-        name = self.found.governing_history
-        motion = name.partition(f".{self.found.level}.")[2] if self.found.level else ""
-        parts = [self.found.place, record_label(motion) if motion else name]
-        return ", ".join(part for part in parts if part) or None
-
 
 CHECKS = TableSpec[_Check](
     "checks_of_criteria",
     "Checks",
     (
         text("check", "found.name"),
-        text("requirement", "found.requirement", broken=1),
-        text("source", lambda check: check.source or None, broken=3),
         text("variant", lambda check: check.found.variant or None),
         text("level", lambda check: check.found.level or None),
+        verdict("verdict", lambda check: answer(check.found)),
+        col("D/C", ONE, "found.ratio", form=".2f"),
         text("demand"),
         text("capacity", lambda check: measured(check.found.limit, check.found.unit)),
-        col("D/C", ONE, "found.ratio", form=".2f"),
-        verdict("verdict", lambda check: answer(check.found)),
-        text("governs", broken=2),
+        text("governs", lambda check: governs(check.found), broken=2),
+        text("requirement", "found.requirement", broken=1),
+        text("source", lambda check: check.source or None, broken=3, optional=True),
     ),
     notes=(
         "D/C is demand over capacity, met up to 1. Of a lower bound it is the inverse, so that 1 is the limit too.",
         "Governs: place and motion of the largest value of a history, of a lower bound the smallest.",
     ),
-    keys=5,
+    keys=4,
     named_as="checks",
 )
-UNKNOWN = "Source -: the study does not say where the limit comes from (`source` of a criterion)."
+UNKNOWN = "No source: the study does not say where the limit comes from (`source` of a criterion)."
 
 
 def check_table(verdicts: Sequence[Verdict], criteria: Sequence[Criterion]) -> Table:

@@ -29,6 +29,7 @@ from edesign.project.criteria.criteria import CODE_IN_FORCE, Criterion, Objectiv
 from edesign.project.criteria.performance import PERFORMANCE_STANDARDS, Standard
 from edesign.report.assessment.measure_columns import ROUNDING
 from edesign.report.assessment.measure_tables import missing_notes
+from edesign.report.drawing.captions import record_label
 from edesign.report.tables import cell
 from edesign.report.tables.cell import Plain, Quantity, Rounded, State, Value
 from edesign.report.tables.column import Column, col, count, text, verdict
@@ -87,6 +88,15 @@ def motion_of(found: Verdict) -> str:
     """Return the record of the history that governs, by the end of its name: damped.DBE.Tabas1978 -> Tabas1978."""
     name = found.governing_history
     return name.partition(f".{found.level}.")[2] or name
+
+
+def governs(found: Verdict) -> str | None:
+    """Return the place and the motion of a value; None: the value is negligible."""
+    if found.negligible:
+        return None
+    motion = found.governing_history.partition(f".{found.level}.")[2] if found.level else ""
+    parts = [found.place, record_label(motion) if motion else found.governing_history]
+    return ", ".join(part for part in parts if part) or None
 
 
 def _remark(found: Verdict) -> str:
@@ -335,12 +345,6 @@ def _demand(one: _Judged) -> Value:
     return None if value is None else beyond_or(value, measured(value, one.found.unit))
 
 
-def _governs(one: _Judged) -> str | None:
-    if one.found.negligible:
-        return None
-    return ", ".join(part for part in (one.found.governing_history, one.found.place) if part) or None
-
-
 REHABILITATION = TableSpec[_Judged](
     "rehabilitation_objectives",
     "Rehabilitation objectives (D/C, demand over capacity, met up to 1)",
@@ -349,15 +353,15 @@ REHABILITATION = TableSpec[_Judged](
         text("variant"),
         text("by"),
         verdict("verdict", lambda one: answer(one.found)),
+        col("D/C", ONE, _demand),
         text("hazard level", _hazard),
         text("performance", _performance_level),
         text("class", "objective.rank"),
-        col("D/C", ONE, _demand),
         text("statistic", "found.statistic"),
         count("histories", lambda one: f"{one.found.count} of {_number(one.found)}"),
-        text("governs", _governs),
+        text("governs", lambda one: governs(one.found)),
     ),
-    keys=7,
+    keys=4,
 )
 TARGETS = "Of target displacements the D/C is the maximum over patterns and directions."
 LETTERS = "Objectives: FEMA 356, Table C1-1, lettered without the column of the Operational level."

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -16,12 +17,15 @@ from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter
 from edesign.assess.sets import history_sets
 from edesign.assess.verdicts import Verdict, judge
+from edesign.project.criteria.criteria import Objectives
 from edesign.report.archive.tables import SCREEN, short_tables
 from edesign.report.assessment.check_table import check_table
 from edesign.report.assessment.measure_tables import DIFFERENCE, statistics_tables
 from edesign.report.assessment.response_in_short import response_in_short
 from edesign.report.assessment.verdict_tables import verdicts_tables
 from edesign.report.assessment.verdicts_in_short import verdicts_in_short
+from edesign.report.page.sections.verdicts import verdict_tiles
+from edesign.report.page.source import Source
 from edesign.report.tables.text import PAPER, fitted, plain, print_tables
 
 LONG = "ImperialValley1979_H-CHI012"  # as long as names of recordings become
@@ -53,6 +57,20 @@ def test_variants_stand_side_by_side() -> None:
     assert table.notes[0].startswith("bare: ") and "damped twice: " in table.notes[0]
     assert [row[:2] for row in governs.rows][0] == ["bare", "drift, DBE"]
     assert governs.rows[1][:2] == ["damped", "columns, DBE"]
+
+
+def test_a_page_counts_what_a_summary_counts(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Criteria and objectives: one count of what is met on the screen, on the page and in the PDF."""
+
+    def judged(archive: object, study: object, histories: object, objectives: Objectives = ()) -> tuple[Verdict, ...]:
+        return judge(STUDY.criteria, objectives, HISTORIES, frame())
+
+    monkeypatch.setattr("edesign.report.page.source.verdicts_of", judged)
+    known = SimpleNamespace(study=STUDY, sets=[None], targets=[], archive=None, judged_histories=HISTORIES)
+    of_page = vars(Source)["verdicts"].func(known)
+    table, _ = verdicts_in_short(judge(STUDY.criteria, STUDY.objectives, HISTORIES, frame()), None)
+    said = [f"{tile.label.partition(', ')[2]}: {tile.value} met" for tile in verdict_tiles(of_page)]
+    assert len(said) == 3 and "; ".join(said) in " ".join(table.notes)
 
 
 @pytest.mark.parametrize("width", [60, 80, 100, 200])
@@ -146,6 +164,7 @@ def test_what_rounding_leaves_of_nothing_is_0_and_governed_by_nothing() -> None:
     )
     answers, governs = verdicts_tables([one], None)[:2]
     assert answers.texts[0][4] == "0 rad" and governs.texts[0][3:5] == ["-", "-"]
-    assert check_table([one], ()).texts[0][-1] == "-"
+    checks = check_table([one], ())
+    assert checks.texts[0][checks.headers.index("governs")] == "-"
     small = replace(one, value=2e-6)  # 2 microrad, which yielding may leave
     assert verdicts_in_short([small], None)[1].texts[0][2:] == ["2e-06 rad", "C_A_1 a"]

@@ -61,12 +61,15 @@ def checks(source: Source) -> Section:
     title = "Checks"
     study, project = source.study, source.base
     parts: list[Part] = []
-    if source.verdicts and study is not None:
-        table, remarks = check_table(source.verdicts, study.criteria), remarks_table(source.verdicts)
-        parts.append(Folded(f"All checks ({len(table.rows)})", (table,)) if len(table.rows) > MANY else table)
-        parts += [remarks] if remarks.rows else []
+    of_objectives: tuple[Verdict, ...] = ()
     if study is not None and project is not None and study.objectives and source.judged_histories:
         of_objectives = judge((), study.objectives, source.judged_histories, project, study)
+    own = [found for found in source.verdicts if found not in of_objectives]
+    if own and study is not None:
+        table, remarks = check_table(own, study.criteria), remarks_table(own)
+        parts.append(Folded(f"All checks ({len(table.rows)})", (table,)) if len(table.rows) > MANY else table)
+        parts += [remarks] if remarks.rows else []
+    if of_objectives and study is not None and project is not None:
         parts.append(objectives_table(of_objectives, study.objectives, project))
     if project is not None and any(found.completed for found in source.sets):
         criteria = study.criteria if study is not None else ()
