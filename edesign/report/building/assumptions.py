@@ -56,7 +56,13 @@ def _floors(building: Building) -> str:
     several = [str(floor) for floor in stiff if len(building.rigid_parts(floor)) > 1]
     floors = "floor" if len(several) == 1 else "floors"
     apart = f" The parts of {floors} {', '.join(several)} move apart." if several else ""
-    return f"{which} rigid in their plane; beams in them have no axial forces.{apart} Slabs add no strength to beams."
+    no_force = "beams in them have no axial forces"
+    if building.braces or building.dampers:
+        no_force += (
+            " in the model. Beams that braces or dampers meet, and those joined to them, are checked with the axial "
+            "force by equilibrium of the floor, others without"
+        )
+    return f"{which} rigid in their plane; {no_force}.{apart} Slabs add no strength to beams."
 
 
 def _ends(building: Building) -> str:

@@ -140,12 +140,15 @@ def _damping(project: Project) -> str:
     if damping is None or isinstance(damping, NoDamping):
         return "There is no inherent damping."
     if isinstance(damping, (RayleighDamping, StiffnessDamping)):
+        rayleigh = isinstance(damping, RayleighDamping)
+        mass, it = ("the mass and to ", "this second part") if rayleigh else ("", "it")
         words = {
-            "current": "the stiffness of each moment: it falls where members yield",
-            "committed": "the stiffness at the end of the last step: it falls where members yield",
-            "initial": "the initial stiffness: it does not fall where members yield, so that its forces may grow",
+            "current": f"the stiffness of each moment: {it} falls where members yield",
+            "committed": f"the stiffness at the end of the last step: {it} falls where members yield",
+            "initial": f"the initial stiffness: {it} does not fall where members yield, so that its forces may grow",
         }
-        return f"Damping is proportional to {words[damping.stiffness]}."
+        stays = " The part of the mass stays." if rayleigh and damping.stiffness != "initial" else ""
+        return f"Damping is proportional to {mass}{words[damping.stiffness]}.{stays}"
     if isinstance(damping, MassDamping):
         return "Damping is proportional to the mass: it acts against the motion of the floors relative to the ground."
     if isinstance(damping, ModalDamping):
