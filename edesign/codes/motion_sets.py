@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 DAMPING = 0.05
 """Ratio of critical damping of the spectra that are compared, in all codes here."""
 
+FOR_MEAN = "number of histories for which the mean response counts"
+"""What the criterion on the use of responses says."""
 STATIONARY_DURATION = 10.0
 """Least duration of the stationary part of artificial motions (EN 1998-1, 3.2.3.1.2(3); NTC 2018, 3.2.3.6), s."""
 
@@ -339,5 +341,4 @@ class SetRules:
     def _use_of_results(self, count: int) -> RuleCheck:
         enough = count >= self.number_for_mean
         detail = "the mean of the responses may be used" if enough else self.fewer
-        text = "number of histories for which the mean response counts"
-        return RuleCheck(self.clauses.use, text, self.number_for_mean, float(count), "", None, detail)
+        return RuleCheck(self.clauses.use, FOR_MEAN, self.number_for_mean, float(count), "", None, detail)

@@ -10,11 +10,15 @@ from typing import Any
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive, open_archive
+from edesign.assess.sets import history_sets
 from edesign.codes.ec8 import SET_RULES
+from edesign.codes.motion_sets import FOR_MEAN
 from edesign.ground_motion.component_pairs import NAMES
+from edesign.ground_motion.hazard import rules_in_force
 from edesign.ground_motion.plausibility import unusual_scales
 from edesign.ground_motion.record_choice import choice_lines
 from edesign.ground_motion.sources import is_simulated
+from edesign.report.archived import archived_hazard
 from edesign.report.ground_motion.pair_tables import pairs_table
 from edesign.report.tables.cell import Listed, Quantity, Verdict
 from edesign.report.tables.column import Column, col, text, verdict
@@ -22,7 +26,7 @@ from edesign.report.tables.items import Analysis
 from edesign.report.tables.number import significant
 from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import M_S, MM, MM_S, ONE, PERCENT, G, M, S, Unit
-from edesign.study.results.kinds import RECORDS
+from edesign.study.results.kinds import ANALYSES, RECORDS
 
 DIGITS = 3
 NEGLIGIBLE = 1e-7  # m, m/s: far below what any recorder resolves
@@ -190,7 +194,7 @@ def tables_of(archive: Archive) -> list[Table]:
             if "pairs" in suite.attributes:
                 choices.append(pairs_table(name, suite.attributes["pairs"]))
             if "criteria" in suite.attributes:
-                tables.append(criteria_table(name, suite.attributes))
+                tables.append(criteria_table(name, {**suite.attributes, "criteria": _criteria(archive, name, suite)}))
         else:
             groups[name] = archive.view(place)
     if not groups:
@@ -253,6 +257,22 @@ def criteria_table(name: str, about: Mapping[str, Any]) -> Table:
         why = "the most allowed, and a criterion is missed" if missed else "so that the mean satisfies the criteria"
         notes.append(f"all records times {factor:.4f}, {why}")
     return CRITERIA.of(about["criteria"], whose=name, code=about.get("criteria_of", SET_RULES.code), notes=notes)
+
+
+def _criteria(archive: Archive, name: str, suite: Group) -> list[Mapping[str, Any]]:
+    """The criteria of a suite, of which what holds for the mean is that of the histories that the archive has."""
+    every = {key: Group(attributes=archive.group_attributes(f"{ANALYSES}/{key}")) for key in archive.names(ANALYSES)}
+    own = {key: of for key, of in every.items() if str(of.attributes.get("record")).startswith(f"{name}/")}
+    run = min((found.motions for found in history_sets(own)), default=None)
+    criteria: list[Mapping[str, Any]] = list(suite.attributes["criteria"])
+    if run is None:
+        return criteria
+    fewer = rules_in_force(archived_hazard(archive)).fewer
+    for at, found in enumerate(criteria):
+        if found["text"] == FOR_MEAN and run < min(found["value"], found["required"]):
+            detail = f"{found['value']:g} in the set, of which histories have {run}: {fewer}"
+            criteria[at] = {**found, "value": float(run), "detail": detail}
+    return criteria
 
 
 def _records(groups: Mapping[str, Group]) -> list[Analysis]:

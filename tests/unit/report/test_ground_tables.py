@@ -1,16 +1,20 @@
-"""Tables of footings: those of every variant are printed, and a history has the work of its own."""
+"""Tables of footings and of suites of records: every variant is printed, and what holds of the histories there are."""
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 from edesign.archive.dataset import Group, Variable
 from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter
+from edesign.codes.ec8 import SET_RULES
 from edesign.frame.footings import DIRECTIONS
 from edesign.report.archive.tables import details, overview
+from edesign.report.ground_motion.record_tables import _criteria
 from edesign.report.response.ground_tables import SHOWN, ground_tables
 
 
@@ -65,3 +69,23 @@ def test_an_archive_of_a_project_describes_its_footings(tmp_path: Path) -> None:
         for tables in (overview(opened), details(opened, "shake")):
             titles = [table.title for table in tables]
             assert {"Footings", "Stiffness and damping of footings"} <= set(titles)
+
+
+@pytest.mark.parametrize(
+    ("run", "found", "words"),
+    [(7, 7.0, "the mean of the responses may be used"), (3, 3.0, "histories have 3: the most unfavourable response")],
+)
+def test_what_a_suite_allows_is_what_its_histories_have(tmp_path: Path, run: int, found: float, words: str) -> None:
+    """EN 1998-1, 4.3.3.4.3(3): seven histories allow the mean; three of a suite of seven are no seven."""
+    rule = asdict(SET_RULES._use_of_results(7))
+    suite = Group(attributes={"suite": True, "criteria": [rule]})
+    about = {"kind": "history", "variant": "", "level": "DBE", "status": "completed"}
+    with ArchiveWriter(tmp_path / "a.h5", Group(attributes={"kind": "project"})) as writer:
+        for number in range(run):
+            history = about | {"record": f"motions/r{number}", "record_checksum": str(number)}
+            writer.write(f"analyses/DBE.r{number}", Group(attributes=history))
+        writer.finish({"status": "completed"})
+    with open_archive(tmp_path / "a.h5") as archive:
+        (row,) = _criteria(archive, "motions", suite)
+        assert row["value"] == found and words in row["detail"] and row["passed"] is None
+        assert _criteria(archive, "others", suite) == [rule], "no history has a record of it"
