@@ -169,8 +169,12 @@ class _Uses:
         text = RULES[rule_of(self.found, self.rules)].format(count=self.found.motions, code=in_words(self.rules))
         return f"Use: {text}." if self.found.motions > 1 else ""
 
+    def of_kind(self, kind: str) -> list[LoadedMember]:
+        """Members of a kind."""
+        return [one for one in self.members if one.kind == kind]
+
     def worst(self, kind: str) -> LoadedMember | None:
-        return max((one for one in self.members if one.kind == kind), key=lambda one: one.use, default=None)
+        return max(self.of_kind(kind), key=lambda one: one.use, default=None)
 
     def beyond(self, kind: str) -> list[_Use]:
         """Members of a kind beyond 1 that are not meant to yield, the worst first."""
@@ -179,11 +183,11 @@ class _Uses:
 
     def yielding(self, kind: str) -> list[LoadedMember]:
         """Members of a kind that are meant to yield."""
-        return [one for one in self.members if one.kind == kind and self.dissipative(one.name)]
+        return [one for one in self.of_kind(kind) if self.dissipative(one.name)]
 
     def number(self, kind: str) -> int | None:
-        """How many members of a kind go beyond 1; None: there are none of it."""
-        return None if self.worst(kind) is None else len(self.beyond(kind))
+        """How many members of a kind go beyond 1, those that are meant to yield too; None: there are none of it."""
+        return None if self.worst(kind) is None else sum(one.use > 1.0 for one in self.of_kind(kind))
 
     @property
     def largest(self) -> float:
@@ -355,11 +359,15 @@ def _sections_alone(uses: _Uses) -> bool:
 
 
 def _in_words(uses: _Uses) -> list[str]:
-    """Lines on the members that dampers bring beyond 1; the others are counted."""
+    """Lines on the members beyond 1, and on those of them that dampers bring there."""
     lines = []
     for kind in KINDS:
         beyond = uses.beyond(kind)
         because = [one for one in beyond if one.bare is not None and one.bare <= 1.0]
+        if len(because) < len(beyond):
+            named = [f"{one.member.name} {one.member.use:.2f}" for one in beyond]
+            told = f"{len(beyond)} of {len(uses.of_kind(kind)) - len(uses.yielding(kind))} {kind}s beyond 1"
+            lines += wrapped(f"{label(uses.found)}: {told}: {_listed(named)}")
         if because:
             named = [f"{one.member.name} {one.member.use:.2f} (without {one.bare:.2f})" for one in because]
             lines += wrapped(f"{label(uses.found)}: dampers bring {kind}s beyond 1: {_listed(named)}")

@@ -166,6 +166,10 @@ def test_members_meant_to_yield_and_uses_of_the_elastic_design() -> None:
     assert tables[1].column("with it")[0] == pytest.approx(1.2)
     notes = " ".join(use_in_short(found, None, frame).notes)
     assert "1 of 1 beams that are meant to yield do, B_1_1 1.30" in notes
+    short = use_in_short(found, None, frame)
+    assert [row[6].strip() for row in short.texts] == ["1"], "beside a use of 1.30 the summary counts no 0"
+    plain = " ".join(use_in_short(found, None).notes)
+    assert "1 of 1 beams beyond 1: B_1_1 1.30" in plain, "members beyond 1 are named without dampers too"
     assert "with the seismic action across columns go beyond 1: C_A_1 1.20 (without 0.70)" in notes
     assert [table.name for table in use_tables(found, None)] == ["member_use", "members_beyond_1"]
 
