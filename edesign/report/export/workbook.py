@@ -125,11 +125,11 @@ def _fill(
         _text(provenance, row, 1, text)
     contents.write_url(row := len(tables) + _HEAD + 1, 0, f"internal:'{PROVENANCE}'!A1", link, PROVENANCE)
     contents.write_string(row, 1, "The archive, checksums of its input, versions")
-    for row, table in enumerate(larger, start=row + 1):
-        _text(contents, row, 0, table.name)
-        _text(contents, row, 1, f"{table.title} (larger than a sheet: by --csv or --parquet)")
-        contents.write_number(row, 2, table.rows)
-        contents.write_number(row, 3, len(table.columns))
+    for at, table in enumerate(larger, start=row + 1):
+        _text(contents, at, 0, table.name)
+        _text(contents, at, 1, f"{table.title} (larger than a sheet: by --csv or --parquet)")
+        contents.write_number(at, 2, table.rows)
+        contents.write_number(at, 3, len(table.columns))
 
 
 def _sheet(book: Workbook, sheet: Worksheet, table: ExportTable, forms: dict[str, Any], bold: Any, link: Any) -> None:

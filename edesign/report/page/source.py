@@ -129,7 +129,7 @@ class Source:
 
     @cached_property
     def verdicts(self) -> tuple[Verdict, ...]:
-        """Verdicts on criteria and objectives of the study and on the braces of its designs; none where none are given."""
+        """Verdicts on criteria and objectives of the study, and on braces of its designs; none where none are given."""
         if self.study is None or not (self.sets or self.targets):
             return ()
         return verdicts_of(self.archive, self.study, self.judged_histories, self.study.objectives)
