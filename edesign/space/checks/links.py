@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from edesign.codes.ec8.steel.concentric_braces import least_and_most
 from edesign.codes.ec8.steel.eccentric_braces import (
     HOMOGENEITY,
     Category,
@@ -230,7 +231,7 @@ def link_criteria(of: Sequence[Link], overstrength: float) -> list[RuleCheck]:
         text = f"e over its limit where N_Ed >= 0.15 N_pl,Rd, {axis}"
         found.append(at_most("6.8.2(6)", text, 1.0, *worst(uses)))
     ratios = [link.Omega for link in of]
-    detail = f"Omega from {min(ratios):.3g} to {max(ratios):.3g}"
+    detail = least_and_most(ratios, [link.member for link in of])
     text = f"overstrength of the links over the least one, {axis}"
     found.append(at_most("6.8.2(7)", text, HOMOGENEITY, max(ratios) / min(ratios) - 1.0, detail))
     use, name = worst([link.theta_p / link.theta_pR for link in of])

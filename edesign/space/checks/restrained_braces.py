@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from edesign.codes.aisc341.buckling_restrained import expected_deformation
-from edesign.codes.ec8.steel.concentric_braces import HOMOGENEITY
+from edesign.codes.ec8.steel.concentric_braces import HOMOGENEITY, least_and_most
 from edesign.codes.rule_check import RuleCheck, at_most
 from edesign.space.analysis.storeys import Storeys
 from edesign.space.checks.capacity import Overstrength
@@ -82,7 +82,8 @@ def restrained_criteria(
         )
     ratios = overstrength.ratios
     least, most = float(ratios.min()), float(ratios.max())
-    detail = f"Omega from {least:.3g} to {most:.3g}; {HOMOGENEITY:g} is the limit of other diagonals"
+    names = [frame.members[at].name for at in overstrength.members]
+    detail = f"{least_and_most(ratios, names)}; {HOMOGENEITY:g} is the limit of other diagonals"
     alike = RuleCheck(
         "6.7.3(8)",
         f"overstrength of the braces over the least one, direction {axis}",

@@ -239,7 +239,7 @@ def bracing_criteria(building: Building, frame: SpaceFrame, overstrength: Overst
     found = [max(of_braces, key=lambda rule: (rule.passed is False, rule.value or 0.0))]
     rules = rules_of(design_of(building))
     if frame.n_floors > FEW_STOREYS or rules.clauses:
-        found.append(homogeneity(overstrength.ratios, f", direction {axis}"))
+        found.append(homogeneity(overstrength.ratios, f", direction {axis}", [of.name for of in members]))
     numbers = overstrength.members
     start, end = (nodes[numbers] for nodes in frame.ends)
     rise = frame.coordinates[end, number] - frame.coordinates[start, number]

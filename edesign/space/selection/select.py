@@ -17,7 +17,7 @@ from edesign.project.notation.printed_unit import told_apart
 from edesign.project.reading.values import KeyPath
 from edesign.space.designed import ElasticDesign
 from edesign.space.elastic_design import ElasticAnalysis, elastic_design
-from edesign.space.selection.evaluate import HOMOGENEOUS, Choice, Evaluation, Evaluator, axis_of
+from edesign.space.selection.evaluate import HOMOGENEOUS, LINKS, Choice, Evaluation, Evaluator, axis_of
 from edesign.space.selection.groups import Group, groups_of
 from edesign.space.selection.search import Found, Listener, Search, column_order
 from edesign.space.structure.design_block import design_of
@@ -286,7 +286,7 @@ def _held_by(evaluate: Evaluator, order: Sequence[tuple[int, int]], choice: Choi
 def _broken(evaluate: Evaluator, design: ElasticDesign, each: bool = False) -> list[str]:
     """The checks that a design does not meet, in words: the worst groups, then rules for the building.
 
-    `each`: with Omega of each group of diagonals where it differs too much.
+    `each`: with Omega of each group of diagonals or links where it differs too much.
     """
     rules = [
         f"{rule.text}{f' ({rule.detail})' if rule.detail else ''}: "
@@ -300,8 +300,8 @@ def _broken(evaluate: Evaluator, design: ElasticDesign, each: bool = False) -> l
 
 
 def _of_diagonals(design: ElasticDesign, rule: RuleCheck) -> str:
-    """Omega of the groups of diagonals where it differs too much, with the diagonal that has it."""
-    if rule.clause != HOMOGENEOUS:
+    """Omega of the groups of diagonals or links where it differs too much, with the member that has it."""
+    if rule.clause not in (HOMOGENEOUS, LINKS[2]):
         return ""
     found, apart = [], []
     for Omega in (of for axis, of in design.overstrength.items() if axis_of(rule) == axis):

@@ -182,6 +182,8 @@ def test_homogeneity_of_diagonals() -> None:
     check = homogeneity([1.25, 1.2, 1.6], ", direction y")
     assert check.value == pytest.approx(1.6 / 1.2 - 1.0) and not check.passed
     assert homogeneity([1.0, 1.25]).passed  # 25 % is allowed
+    named = homogeneity([1.25, 1.2, 1.6], ", direction y", ["DY_A", "DY_B", "DY_C"])
+    assert named.detail == "Omega from 1.2 (DY_B) to 1.6 (DY_C)"
 
 
 def test_v_bracing() -> None:

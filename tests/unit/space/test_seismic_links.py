@@ -144,6 +144,7 @@ def test_uneven_links_are_told(split_k: ElasticDesign) -> None:
     uneven = [of[0], replace(of[1], Omega=2.0 * of[0].Omega)]
     rule = next(rule for rule in link_criteria(uneven, 1.25) if rule.clause == "6.8.2(7)")
     assert (rule.value, rule.passed) == (pytest.approx(1.0), False)
+    assert all(f"({link.member})" in rule.detail for link in uneven)
 
 
 def test_axial_force_above_the_share_shortens_links(split_k: ElasticDesign) -> None:

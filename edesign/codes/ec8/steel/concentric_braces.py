@@ -5,6 +5,7 @@ Columns and beams take the amplified effects of `capacity`, with the least overs
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Literal
 
 import numpy as np
@@ -12,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from edesign.codes.names import unknown
 from edesign.codes.quantities import check_not_negative, check_positive
-from edesign.codes.rule_check import RuleCheck, at_most
+from edesign.codes.rule_check import RuleCheck, at_most, first_of_largest
 
 BraceKind = Literal["x", "diagonal", "v"]
 """Crossing diagonals; diagonals that do not cross; V or inverted V."""
@@ -79,19 +80,33 @@ def slenderness(value: float, kind: str, storeys: int, member: str = "") -> Rule
     return at_most(clause, "slenderness of a diagonal", high, value, member)
 
 
-def homogeneity(ratios: ArrayLike, where: str = "") -> RuleCheck:
+def homogeneity(ratios: ArrayLike, where: str = "", members: Sequence[str] = ()) -> RuleCheck:
     """Check that the overstrength of diagonals exceeds the least one by at most 25 %.
 
     Args:
         ratios: (n,) N_pl,Rd / N_Ed.
         where: for the text, such as `, direction y`.
+        members: names of the diagonals, for the text.
 
     Source: EN 1998-1:2004, 6.7.3(8).
     """
     values = np.asarray(ratios, dtype=float)
-    Omega, most = float(values.min()), float(values.max())
     text = f"overstrength of the diagonals over the least one{where}"
-    return at_most("6.7.3(8)", text, HOMOGENEITY, most / Omega - 1.0, f"Omega from {Omega:.3g} to {most:.3g}")
+    least, most = float(values.min()), float(values.max())
+    return at_most("6.7.3(8)", text, HOMOGENEITY, most / least - 1.0, least_and_most(values, members))
+
+
+def least_and_most(ratios: ArrayLike, members: Sequence[str] = ()) -> str:
+    """Return the least and the largest Omega in words, with the members that have them.
+
+    Args:
+        ratios: (n,) of them.
+        members: (n,) their names; none: they are not told.
+    """
+    values = np.asarray(ratios, dtype=float)
+    ends = (first_of_largest(-values), first_of_largest(values))
+    said = [f"{values[at]:.3g}{f' ({members[at]})' if len(members) else ''}" for at in ends]
+    return f"Omega from {' to '.join(said)}"
 
 
 def post_buckling_forces(N_pl_Rd: ArrayLike, in_tension: ArrayLike, gamma_pb: float = 0.3) -> np.ndarray:
