@@ -19,13 +19,15 @@ from edesign.frame.frame_model import FrameModel
 from edesign.ground_motion.hazard import rules_in_force
 from edesign.project.notation.names import damper_place
 from edesign.project.study.study import Study
-from edesign.report.inputs.damper_demand import demand, factored_ratio, velocity
+from edesign.report.inputs.damper_demand import alike_devices, demands_of, factored_ratio
 from edesign.report.inputs.damper_schedule import asking
 from edesign.report.inputs.variant_frames import VariantFrames
 from edesign.report.tables.column import col, text
 from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import KN, ONE
 from edesign.study.plan.device_factors import factors_in_force, factors_note
+
+_ENDS = ("max", "min")
 
 
 @dataclass(frozen=True)
@@ -66,7 +68,9 @@ class _Demand:
 
     Attributes:
         tension, compression: of the damper or brace at the connection, N.
-        factor: of the code, on both; nan: not known.
+        force: of the damper or brace, the largest of the dampers of the storey that are alike, N.
+        factor: of the code, on it; nan: not known.
+        adjusted: strengths of a buckling-restrained brace there in tension and compression, N; of others none.
     """
 
     storey: int
@@ -76,7 +80,9 @@ class _Demand:
     label: str
     tension: float
     compression: float
+    force: float
     factor: float
+    adjusted: tuple[float, float] | None = None
 
     @property
     def place(self) -> str:
@@ -85,8 +91,16 @@ class _Demand:
 
     @property
     def largest(self) -> float:
-        """The larger one with its factor, N."""
-        return self.factor * max(self.tension, self.compression)
+        """The force that the connection holds, N.
+
+        Source: of buckling-restrained braces at least their adjusted strengths, AISC 341-16, F4.6.
+        """
+        return float(np.fmax(self.factor * self.force, max(self.adjusted or (math.nan,))))
+
+    @property
+    def rank(self) -> tuple[float, float]:
+        """What the connection that governs has most of: the force that it holds, then that of the histories."""
+        return (0.0 if math.isnan(self.largest) else self.largest), max(self.tension, self.compression)
 
     def component(self, size: float) -> float:
         """Return a component of the larger force with its factor, N.
@@ -109,6 +123,8 @@ CONNECTIONS = TableSpec[_Demand](
         col("T", KN, "tension"),
         col("C", KN, "compression"),
         col("factor", ONE, "factor", 3),
+        col("T_adj", KN, lambda one: one.adjusted and one.adjusted[0], optional=True),
+        col("C_adj", KN, lambda one: one.adjusted and one.adjusted[1], optional=True),
         col("N", KN, "largest"),
         col("H", KN, lambda one: one.component(one.connection.horizontal)),
         col("V", KN, lambda one: one.component(one.connection.vertical)),
@@ -203,13 +219,12 @@ def connection_tables(
         frame = frames.frame(variant)
         rows: list[_Demand] = []
         asked = [(label, one) for label, one in asking(variant, study, sets) if one.completed]
-        for device in frame.devices:
-            if device.stands:
-                for label, one in asked:
-                    rows += _demands(frames, variant, device, label, one, factors, whole)
+        for alike in alike_devices([device for device in frame.devices if device.stands]):
+            for label, one in asked:
+                rows += _demands(frames, variant, alike.devices, label, one, factors, whole)
         rows = sorted(_governing(rows) if governing else rows, key=lambda one: one.storey)
         named = study is not None and study.device_factors is not None
-        notes = _notes(rules, factors, named, governing)
+        notes = _notes(rows, rules, factors, named, governing)
         of = f", {variant}" if variant else ""
         largest = ", largest of each storey" if governing else ""
         spec = GOVERNING if governing else CONNECTIONS
@@ -220,7 +235,7 @@ def connection_tables(
 def _demands(
     frames: VariantFrames,
     variant: str,
-    device: Device,
+    alike: Sequence[Device],
     label: str,
     found: HistorySet,
     factors: DeviceFactors,
@@ -228,20 +243,29 @@ def _demands(
 ) -> Iterator[_Demand]:
     rules, frame = rules_in_force(frames.hazard), frames.frame(variant)
     completed = found.completed
-    groups = [group for group in completed.values() if _has(group, device)]
-    if len(groups) < len(completed):
+    if not all(_has(group, device) for group in completed.values() for device in alike):
         return
-    most, least = (np.array([_extreme(group, device, which) for group in groups]) for which in ("max", "min"))
-    pull, push = (_counted(worst_of_each(found, values), rules) for values in (most, -least))
-    period = frames.first_period(variant, device)
-    stroke, speed = demand(found, [device], "damper_deformation"), velocity(found, whole, [device])
-    ratio = factored_ratio(device, stroke, speed, factors, rules, period)
-    kind, place = damper_place(device.name)
-    for connection in connections_of(frame, device):
-        both = (pull, push) if connection.pulled > 0.0 else (push, pull)
-        tension, compression = (max(value, 0.0) * connection.size for value in both)
-        factor = factors.overstrength * ratio
-        yield _Demand(device.storey, kind, place, connection, label, tension, compression, factor)
+    first = alike[0]
+    demands, period = demands_of(alike, found, frames, whole), frames.first_period(variant, first)
+    stroke, speed = demands["damper_deformation"], demands["velocity"]
+    factor = factors.overstrength * factored_ratio(first, stroke, speed, factors, rules, period)
+    force = demands["damper_force"]
+    assert force is not None, "histories with dampers have their forces"
+    held = first.size.number * force.governing(rules)
+    for device in alike:
+        most, least = (np.array([_extreme(group, device, which) for group in completed.values()]) for which in _ENDS)
+        pull, push = (_counted(worst_of_each(found, values), rules) for values in (most, -least))
+        kind, place = damper_place(device.name)
+        for connection in connections_of(frame, device):
+            both = (pull, push) if connection.pulled > 0.0 else (push, pull)
+            tension, compression = (max(value, 0.0) * connection.size for value in both)
+            at = (device.storey, kind, place, connection, label)
+            yield _Demand(*at, tension, compression, held * connection.size, factor, _adjusted(device))
+
+
+def _adjusted(device: Device) -> tuple[float, float] | None:
+    brace = device.restrained
+    return None if brace is None else (brace.adjusted_tension, brace.adjusted_compression)
 
 
 def _has(group: Group, device: Device) -> bool:
@@ -263,18 +287,24 @@ def _governing(demands: Sequence[_Demand]) -> list[_Demand]:
     for one in demands:
         key = (one.storey, one.kind, one.connection.part)
         before = found.get(key)
-        if before is None or max(one.tension, one.compression) > max(before.tension, before.compression):
+        if before is None or one.rank > before.rank:
             found[key] = one
     return list(found.values())
 
 
-def _notes(rules: SetRules, factors: DeviceFactors, asked: bool, governing: bool) -> list[str]:
+def _notes(rows: Sequence[_Demand], rules: SetRules, factors: DeviceFactors, asked: bool, governing: bool) -> list[str]:
     clause = f" ({with_standard(rules.clauses.use)})" if rules.clauses.use else ""
     notes = [
         "T, C: largest tension and compression of all dampers of the place, or of one of their braces, along it.",
         f"Of at least {rules.number_for_mean} motions the mean counts, else the largest{clause}.",
-        "N: the larger one times the factor; H, V: its horizontal and vertical component on the node.",
+        "N: force required of one of the dampers of the storey that are alike, of each motion the largest, times their "
+        "number at the place, the factor, and in a brace its share; H, V: its horizontal and vertical component.",
     ]
+    if any(one.adjusted for one in rows):
+        notes.append(
+            "Connections of buckling-restrained braces hold T_adj and C_adj at least, omega R_y P_ysc and beta omega "
+            "R_y P_ysc (AISC 341-16, F4.6): N is not below them."
+        )
     told = factors_note(factors, asked) if factors.on_dampers else ""
     notes.append(told or "No factor is asked for: the study file has none in `device_factors`.")
     if told:

@@ -16,6 +16,9 @@ from edesign.codes.device_factors import DeviceFactors
 from edesign.codes.motion_sets import SetRules
 from edesign.damper.factored import force_ratio
 from edesign.frame.devices import Device
+from edesign.project.notation.names import damper_place
+from edesign.project.study.study import own_variant
+from edesign.report.inputs.variant_frames import VariantFrames
 
 
 @dataclass(frozen=True)
@@ -38,6 +41,74 @@ class Demand:
             rules: of the code in force.
         """
         return self.mean if self.count >= rules.number_for_mean else self.maximum
+
+
+@dataclass(frozen=True)
+class Alike:
+    """Dampers of one storey that are alike.
+
+    Attributes:
+        storey: from 1; 0: of a base.
+        stands, law: names.
+    """
+
+    storey: int
+    stands: str
+    law: str
+    devices: tuple[Device, ...]
+
+    @property
+    def places(self) -> str:
+        """Their bays in words."""
+        where = [damper_place(device.name)[1] for device in self.devices]
+        kinds = dict.fromkeys(text.rpartition(" ")[0] for text in where)
+        if len(kinds) != 1 or not next(iter(kinds)):
+            return ", ".join(where)
+        kind, ends = next(iter(kinds)), list(dict.fromkeys(text.rpartition(" ")[2] for text in where))
+        return f"{kind}{'s' * (len(ends) > 1)} {', '.join(ends)}"
+
+    @property
+    def at(self) -> list[str]:
+        """The storey and the places, as tables have them."""
+        return [str(self.storey) if self.storey else "base", self.places]
+
+
+def alike_devices(devices: Sequence[Device]) -> list[Alike]:
+    """Return the dampers of a frame, those of a storey together that have one law, size and brace; storeys ascend."""
+    found: dict[tuple[object, ...], list[Device]] = {}
+    for device in devices:
+        stands = damper_place(device.name)[0]
+        key = (device.storey, stands, device.law, device.size, device.brace, device.force_scale)
+        found.setdefault(key, []).append(device)
+    groups = [Alike(int(str(key[0])), str(key[1]), str(key[2]), tuple(several)) for key, several in found.items()]
+    return sorted(groups, key=lambda group: group.storey)
+
+
+def demands_of(
+    alike: Sequence[Device], histories: HistorySet, frames: VariantFrames, whole: Callable[[str], Group]
+) -> dict[str, Demand | None]:
+    """Return what histories ask of one of dampers that are alike: force, deformation, strain and velocity, by name.
+
+    All that is told of dampers, of what holds them and of orders comes of this: of each motion the largest in the
+    place that has most.
+
+    Args:
+        alike: dampers of a frame.
+        histories: of a variant, a bound or a temperature, at one level.
+        whole: reads the results of an analysis with what was kept over time.
+    """
+    completed, names_of = list(histories.completed.values()), {device.name for device in alike}
+    degrees = completed[0].attributes.get("temperature_C")
+    temperature = None if degrees is None else float(str(degrees))
+    own = own_variant(histories.variant)
+    frame = frames.frame(own if own in frames.variants else "", temperature)  # of bounds, other scales
+    devices = [device for device in frame.devices if device.name in names_of]
+    names = ("damper_force", "damper_deformation", "damper_strain")
+    found = {name: demand(histories, devices, name) for name in names}
+    if devices[0].layer_thickness is None:
+        found["damper_strain"] = None
+    found["velocity"] = velocity(histories, whole, devices)
+    return found
 
 
 def demand(found: HistorySet, devices: Sequence[Device], quantity: str) -> Demand | None:

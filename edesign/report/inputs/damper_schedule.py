@@ -16,10 +16,9 @@ from edesign.frame.devices import Device, DeviceSize
 from edesign.ground_motion.hazard import rules_in_force
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.dampers import AnyChosenBrace, BraceSection
-from edesign.project.notation.names import damper_place
 from edesign.project.study.study import Study, own_variant
 from edesign.report.assessment.measure_columns import ROUNDING
-from edesign.report.inputs.damper_demand import Demand, demand, factored_ratio, factors_on, velocity
+from edesign.report.inputs.damper_demand import Alike, Demand, alike_devices, demands_of, factored_ratio, factors_on
 from edesign.report.inputs.variant_frames import VariantFrames
 from edesign.report.tables.column import Column, col, count, text
 from edesign.report.tables.number import significant
@@ -75,29 +74,6 @@ FACTORED = TableSpec[Row](
 )
 
 
-@dataclass(frozen=True)
-class _Alike:
-    """Dampers of one storey that are alike."""
-
-    storey: int
-    stands: str
-    law: str
-    devices: tuple[Device, ...]
-
-    @property
-    def places(self) -> str:
-        where = [damper_place(device.name)[1] for device in self.devices]
-        kinds = dict.fromkeys(text.rpartition(" ")[0] for text in where)
-        if len(kinds) != 1 or not next(iter(kinds)):
-            return ", ".join(where)
-        kind, ends = next(iter(kinds)), list(dict.fromkeys(text.rpartition(" ")[2] for text in where))
-        return f"{kind}{'s' * (len(ends) > 1)} {', '.join(ends)}"
-
-    @property
-    def at(self) -> list[str]:
-        return [str(self.storey) if self.storey else "base", self.places]
-
-
 def schedule_tables(
     frames: VariantFrames, study: Study | None, sets: Sequence[HistorySet], whole: Callable[[str], Group]
 ) -> list[Table]:
@@ -117,23 +93,13 @@ def schedule_tables(
     for variant in frames.variants:
         if variant in derived:
             continue
-        alike = _alike(frames.frame(variant).devices)
+        alike = alike_devices(frames.frame(variant).devices)
         if alike:
             tables.append(_schedule(variant, alike, frames.project(variant)))
             found = _found(alike, asking(variant, study, sets), frames, whole)
             tables.append(_required(variant, alike, found, frames))
             tables.append(_factored(variant, alike, found.demands, frames, study))
     return [table for table in tables if table.rows]
-
-
-def _alike(devices: Sequence[Device]) -> list[_Alike]:
-    found: dict[tuple[object, ...], list[Device]] = {}
-    for device in devices:
-        stands = damper_place(device.name)[0]
-        key = (device.storey, stands, device.law, device.size, device.brace, device.force_scale)
-        found.setdefault(key, []).append(device)
-    groups = [_Alike(int(str(key[0])), str(key[1]), str(key[2]), tuple(several)) for key, several in found.items()]
-    return sorted(groups, key=lambda group: group.storey)
 
 
 def asking(variant: str, study: Study | None, sets: Sequence[HistorySet]) -> list[tuple[str, HistorySet]]:
@@ -154,7 +120,7 @@ def asking(variant: str, study: Study | None, sets: Sequence[HistorySet]) -> lis
     return found
 
 
-def _schedule(variant: str, alike: Sequence[_Alike], project: AnalysisFile) -> Table:
+def _schedule(variant: str, alike: Sequence[Alike], project: AnalysisFile) -> Table:
     rows: list[Row] = []
     for group in alike:
         one, places = group.devices[0], len(group.devices)
@@ -217,13 +183,13 @@ class _Found:
 
 
 def _found(
-    alike: Sequence[_Alike],
+    alike: Sequence[Alike],
     asking: Sequence[tuple[str, HistorySet]],
     frames: VariantFrames,
     whole: Callable[[str], Group],
 ) -> _Found:
     demands = {
-        (at, label): _demands(group, histories, frames, whole)
+        (at, label): demands_of(group.devices, histories, frames, whole)
         for at, group in enumerate(alike)
         for label, histories in asking
         if histories.completed
@@ -233,7 +199,7 @@ def _found(
 
 def _factored(
     variant: str,
-    alike: Sequence[_Alike],
+    alike: Sequence[Alike],
     found: dict[tuple[int, str], dict[str, Demand | None]],
     frames: VariantFrames,
     study: Study | None,
@@ -285,7 +251,7 @@ def _times(value: float | None, factor: float) -> float | None:
     return None if value is None else factor * value
 
 
-def _required(variant: str, alike: Sequence[_Alike], asked: _Found, frames: VariantFrames) -> Table:
+def _required(variant: str, alike: Sequence[Alike], asked: _Found, frames: VariantFrames) -> Table:
     """What is required of one damper: mean and maximum of each level, and the level that governs."""
     asking, found = asked.asking, asked.demands
     rules = rules_in_force(frames.hazard)
@@ -325,23 +291,6 @@ def _notes(single: bool, levels: bool, rules: SetRules) -> list[str]:
     return notes
 
 
-def _demands(
-    group: _Alike, histories: HistorySet, frames: VariantFrames, whole: Callable[[str], Group]
-) -> dict[str, Demand | None]:
-    completed, names_of = list(histories.completed.values()), {device.name for device in group.devices}
-    degrees = completed[0].attributes.get("temperature_C")
-    temperature = None if degrees is None else float(str(degrees))
-    own = own_variant(histories.variant)
-    frame = frames.frame(own if own in frames.variants else "", temperature)  # of bounds, other scales
-    devices = [device for device in frame.devices if device.name in names_of]
-    names = ("damper_force", "damper_deformation", "damper_strain")
-    found = {name: demand(histories, devices, name) for name in names}
-    if devices[0].layer_thickness is None:
-        found["damper_strain"] = None
-    found["velocity"] = velocity(histories, whole, devices)
-    return found
-
-
 def _most(
     found: dict[tuple[int, str], dict[str, Demand | None]], at: int, levels: Sequence[str], name: str, rules: SetRules
 ) -> str:
@@ -353,7 +302,7 @@ def _pair(found: Demand | None) -> tuple[float | None, float | None]:
     return (None, None) if found is None else (found.mean, found.maximum)
 
 
-def _velocity_notes(found: dict[tuple[int, str], dict[str, Demand | None]], alike: Sequence[_Alike]) -> list[str]:
+def _velocity_notes(found: dict[tuple[int, str], dict[str, Demand | None]], alike: Sequence[Alike]) -> list[str]:
     known = [one["velocity"] is not None for one in found.values()]
     if all(known):
         return ["The velocity v is that of the damper without its brace."]
