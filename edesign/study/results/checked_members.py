@@ -36,7 +36,7 @@ from edesign.space.structure.steel_by_thickness import with_steel_by_thickness, 
 
 _WITHOUT_CLASS = (RectangleSection, ElasticSection)
 """Own sections that EN 1993-1-1 does not classify."""
-SHEARED = 2.0
+SHARED = 2.0
 """What one of a pair of braces that do not count in compression carries in truth, over the force of its model."""
 
 
@@ -115,7 +115,7 @@ def _in_space(building: Building, names: Sequence[str]) -> list[CheckedMember | 
     for name in names:
         at = number[_whole(name, number)]
         counts = frame.members[at].compression
-        one = CheckedMember(name, plastic[at], elastic[at], share=1.0 if counts else SHEARED, compressed=counts)
+        one = CheckedMember(name, plastic[at], elastic[at], share=1.0 if counts else SHARED, compressed=counts)
         found.append(one if plastic[at].section.has_class else None)
     return found
 
@@ -152,7 +152,7 @@ def _in_plane(file: AnalysisFile, names: Sequence[str]) -> list[CheckedMember | 
                 known[key] = (member_of_frame(*about, True, *role), member_of_frame(*about, False, *role))
         counts = not isinstance(run, BraceRun) or run.compression
         weak = not isinstance(run, BraceRun) and run.axis == "weak"
-        found.append(CheckedMember(name, *known[key], weak, 1.0 if counts else SHEARED, counts))
+        found.append(CheckedMember(name, *known[key], weak, 1.0 if counts else SHARED, counts))
     return found
 
 
