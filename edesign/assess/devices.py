@@ -1,4 +1,4 @@
-"""What histories ask of the viscous or hysteretic dampers of a design, of one damper in each storey."""
+"""What histories ask of the dampers of a design, of one damper in each storey."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class DeviceDemand:
         motions: of the completed ones; of each the worst of its angles and places of the masses counts.
         values: (2, s) each, the mean over the motions, then the largest: force (N) and stroke (m); of viscous dampers
             velocity (m/s), of buckling-restrained braces core_strain and cumulative_ductility, of other hysteretic
-            dampers cumulated_plastic (m).
+            dampers cumulated_plastic (m), of elastomers the strain of the layers and the velocity that was recorded.
     """
 
     variant: str
@@ -33,6 +33,14 @@ class DeviceDemand:
     planned: int
     motions: int
     values: Mapping[str, np.ndarray]
+
+    def counted(self, rules: SetRules) -> dict[str, np.ndarray]:
+        """Return the values that count, (s,) each: the mean of as many motions as a code asks for, else the largest.
+
+        Args:
+            rules: of the code in force.
+        """
+        return {name: both[0 if self.motions >= rules.number_for_mean else 1] for name, both in self.values.items()}
 
 
 def device_demand(design: Group, found: HistorySet, property_factor: float = 1.0) -> DeviceDemand | None:
@@ -43,7 +51,7 @@ def device_demand(design: Group, found: HistorySet, property_factor: float = 1.0
     damper at the end over its yield force.
 
     Args:
-        design: designs/NAME of an archive, of viscous or hysteretic dampers.
+        design: designs/NAME of an archive, not of a placement.
         property_factor: of the variant, on all forces.
 
     Source: cumulated plastic deformation: Akiyama (1985), Earthquake-Resistant Limit-State Design for Buildings;
@@ -70,6 +78,10 @@ def device_demand(design: Group, found: HistorySet, property_factor: float = 1.0
             [_of_storeys(group, group.variables["damper_work_final"].values, storeys, own) for group in completed]
         )
         values["cumulated_plastic"] = work / yield_force
+    elif "layer_thickness_m" in design.attributes:
+        values["strain"] = values["stroke"] / float(str(design.attributes["layer_thickness_m"]))
+        if all("damper_velocity_max" in group.variables for group in completed):
+            values["velocity"] = np.array([_largest(group, "damper_velocity", storeys, own) for group in completed])
     else:
         coefficient = property_factor * np.asarray(design.variables["device_coefficient"].values)
         values["velocity"] = (force / coefficient) ** (1.0 / float(str(design.attributes["alpha"])))

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.assess.devices import force_of_each, names_of_dampers, names_of_history, place_forces
+from edesign.assess.devices import device_demand, force_of_each, names_of_dampers, names_of_history, place_forces
+from edesign.assess.raised_devices import RaisedDevices
 from edesign.assess.requirement import DEMAND_OVER_CAPACITY
 from edesign.assess.sets import HistorySet
 from edesign.assess.verdicts import Verdict
@@ -19,6 +21,7 @@ from edesign.project.study.study import Study, own_variant
 OF_DESIGN = "design"
 """The statistic of what no history says."""
 CLAUSE = "EN 1993-1-1, 6.3.1"
+NOTHING: Mapping[str, RaisedDevices] = MappingProxyType({})
 NEARLY = 1e-3
 """Relative: what the digits in which a damping is told hide."""
 
@@ -54,18 +57,38 @@ class HeldBraces:
         return f"storey {beyond}, N_Ed / N_b,Rd up to {self.use.max():.3g}"
 
 
-def brace_forces(design: Group, found: HistorySet, rules: SetRules) -> np.ndarray | None:
+def brace_forces(
+    design: Group,
+    found: HistorySet,
+    rules: SetRules,
+    raised: RaisedDevices = RaisedDevices(),  # noqa: B008 - frozen
+) -> np.ndarray | None:
     """Return N_Ed of one brace in each storey of a design under histories, (s,) N; None: no history was completed.
 
     Args:
         design: designs/NAME of an archive, whose braces have sections.
         rules: of the code in force, from how many motions on the mean counts.
+        raised: factors of the code and the law, which give the factor of a storey by the stroke and velocity of its
+            histories; where that is not known the factor of the estimate counts.
     """
     force = place_forces(found, np.asarray(design.coords["storey"].values), names_of_dampers(design), rules)
     if force is None:
         return None
     values = design.variables
-    return np.asarray(values["brace_share"].values * values["brace_force_factor"].values * force)
+    factor = _history_factor(design, found, rules, raised)
+    return np.asarray(values["brace_share"].values * factor * force)
+
+
+def _history_factor(design: Group, found: HistorySet, rules: SetRules, raised: RaisedDevices) -> np.ndarray:
+    """Overstrength times the ratio of forces by the law at the demand of histories, (s,)."""
+    estimated = np.asarray(design.variables["brace_force_factor"].values)
+    own = design.attributes.get("brace_overstrength")
+    demand = None if own is None or not raised.raises else device_demand(design, found)
+    if demand is None:
+        return estimated
+    counted = demand.counted(rules)
+    ratios = [raised.ratio(design, i, {name: of[i] for name, of in counted.items()}) for i in range(estimated.size)]
+    return np.where(np.isnan(ratios), estimated, float(str(own)) * np.array(ratios))
 
 
 def _placed_forces(design: Group, found: HistorySet, rules: SetRules) -> np.ndarray | None:
@@ -78,18 +101,24 @@ def _placed_forces(design: Group, found: HistorySet, rules: SetRules) -> np.ndar
     return np.asarray(v["braced_share"].values * v["braced_factor"].values * force_of_each(found, rules)[own])
 
 
-def held_braces(designs: Mapping[str, Group], sets: Sequence[HistorySet], study: Study) -> Iterator[HeldBraces]:
+def held_braces(
+    designs: Mapping[str, Group],
+    sets: Sequence[HistorySet],
+    study: Study,
+    raised: Mapping[str, RaisedDevices] = NOTHING,
+) -> Iterator[HeldBraces]:
     """Yield the braces of each design that has sections, for each set of histories of a variant with its dampers.
 
     Args:
         designs: of the archive, by name.
+        raised: factors of the code on the dampers of each design, and their law, by name.
     """
     rules, hazard = rules_in_force(study.base.hazard), study.base.hazard
     for name, design in designs.items():
         placed = "braced_section" in design.variables
         if not placed and "brace_section" not in design.variables:
             continue
-        own = str(design.attributes.get("brace_level") or "")
+        own, of = str(design.attributes.get("brace_level") or ""), raised.get(name, RaisedDevices())
         storeys = np.asarray(design.variables["braced_storey"].values if placed else design.coords["storey"].values)
         resistance = design.variables[f"{'braced' if placed else 'brace'}_resistance"].values
         for found in sets:
@@ -99,23 +128,29 @@ def held_braces(designs: Mapping[str, Group], sets: Sequence[HistorySet], study:
             below = False
             if hazard is not None and own and found.level:
                 below = factor_of_level(hazard, found.level) < factor_of_level(hazard, own)
-            forces = _placed_forces(design, found, rules) if placed else brace_forces(design, found, rules)
+            forces = _placed_forces(design, found, rules) if placed else brace_forces(design, found, rules, of)
             use = None if forces is None else forces / resistance
             motions = len({found.motion_of[history] for history in found.completed})
             statistic = "mean" if motions >= rules.number_for_mean else "maximum"
             yield HeldBraces(name, found, below or found.level == own, own, storeys, use, statistic)
 
 
-def brace_verdicts(designs: Mapping[str, Group], sets: Sequence[HistorySet], study: Study) -> tuple[Verdict, ...]:
+def brace_verdicts(
+    designs: Mapping[str, Group],
+    sets: Sequence[HistorySet],
+    study: Study,
+    raised: Mapping[str, RaisedDevices] = NOTHING,
+) -> tuple[Verdict, ...]:
     """Return a verdict on the braces of each design, variant and level at which they are to hold.
 
     Args:
         designs: of the archive, by name.
+        raised: factors of the code on the dampers of each design, and their law, by name.
 
     Source: EN 1993-1-1:2005, 6.3.1.
     """
     verdicts = []
-    for one in held_braces(designs, sets, study):
+    for one in held_braces(designs, sets, study, raised):
         if not one.asked:
             continue
         found, most = one.found, None if one.use is None else int(np.argmax(one.use))
@@ -192,16 +227,22 @@ def damping_verdicts(designs: Mapping[str, Group], study: Study) -> tuple[Verdic
     return tuple(verdicts)
 
 
-def brace_warnings(designs: Mapping[str, Group], sets: Sequence[HistorySet], study: Study) -> list[str]:
+def brace_warnings(
+    designs: Mapping[str, Group],
+    sets: Sequence[HistorySet],
+    study: Study,
+    raised: Mapping[str, RaisedDevices] = NOTHING,
+) -> list[str]:
     """Return a sentence for each design, variant and level whose histories the braces do not hold.
 
     Histories count braces as elastic, so that those with more force than they hold are of another structure.
 
     Args:
         designs: of the archive, by name.
+        raised: factors of the code on the dampers of each design, and their law, by name.
     """
     found = []
-    for one in held_braces(designs, sets, study):
+    for one in held_braces(designs, sets, study, raised):
         if one.where:
             at = ", ".join(filter(None, (one.found.variant, one.found.level)))
             level = f"; `level: {one.found.level}` of its `brace` asks for it" if one.found.level else ""

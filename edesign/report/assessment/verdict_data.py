@@ -9,6 +9,7 @@ from edesign.archive.csv_files import Cell, write_csv_file
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.assess.judged_designs import brace_verdicts, brace_warnings, damping_verdicts
+from edesign.assess.raised_devices import RaisedDevices
 from edesign.assess.requirement import DEMAND_OVER_CAPACITY
 from edesign.assess.sets import HistorySet, history_sets
 from edesign.assess.verdicts import Verdict, judge
@@ -17,6 +18,7 @@ from edesign.project.criteria.criteria import Objectives
 from edesign.project.study.study import Study
 from edesign.report.archived import archived_study
 from edesign.report.assessment.tables import read_judged
+from edesign.study.plan.device_factors import raised_devices
 from edesign.study.results.kinds import DESIGNS
 
 
@@ -43,7 +45,8 @@ def verdicts_of(
     """
     found = judge(study.criteria, objectives, judged, study.base, study)
     designs = read_designs(archive)
-    return (*found, *damping_verdicts(designs, study), *brace_verdicts(designs, history_sets(judged), study))
+    braces = brace_verdicts(designs, history_sets(judged), study, _raised(designs, study))
+    return (*found, *damping_verdicts(designs, study), *braces)
 
 
 def warnings_of_braces(archive: Archive, study: Study | None, sets: Sequence[HistorySet]) -> list[str]:
@@ -52,7 +55,15 @@ def warnings_of_braces(archive: Archive, study: Study | None, sets: Sequence[His
     Args:
         study: that the archive holds; None: it is of a project, or cannot be read.
     """
-    return [] if study is None else brace_warnings(read_designs(archive), sets, study)
+    if study is None:
+        return []
+    designs = read_designs(archive)
+    return brace_warnings(designs, sets, study, _raised(designs, study))
+
+
+def _raised(designs: Mapping[str, Group], study: Study) -> dict[str, RaisedDevices]:
+    """The factors of the code, of each design whose braces have sections."""
+    return {name: raised_devices(study, name) for name, of in designs.items() if "brace_section" in of.variables}
 
 
 def read_designs(archive: Archive) -> dict[str, Group]:

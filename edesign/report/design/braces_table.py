@@ -9,6 +9,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.assess.judged_designs import brace_forces
+from edesign.assess.raised_devices import RaisedDevices
 from edesign.assess.sets import HistorySet
 from edesign.codes.motion_sets import SetRules
 from edesign.report.tables.column import col, count, text
@@ -58,22 +59,30 @@ BRACES = TableSpec[_Braces](
 )
 
 
-def braces_table(group: Group, sets: Sequence[HistorySet], variants: Mapping[str, float], rules: SetRules) -> Table:
+def braces_table(
+    group: Group,
+    sets: Sequence[HistorySet],
+    variants: Mapping[str, float],
+    rules: SetRules,
+    raised: RaisedDevices = RaisedDevices(),  # noqa: B008 - frozen
+) -> Table:
     """Return the check of the braces under the estimated forces, and under those of histories.
 
     Args:
         variants: that have the design, by name.
         rules: of the code in force, for statistics over motions.
+        raised: factors of the code, with the law by which the forces of histories follow them.
     """
     if "brace_section" not in group.variables:
         return Table("")
     about = group.attributes
-    rows = list(_rows(group, sets, variants, rules))
+    rows = list(_rows(group, sets, variants, rules, raised))
     factors = group.variables["brace_force_factor"].values
     ends = dict.fromkeys(f"{value:.3g}" for value in (factors.min(), factors.max()))
     level = f" at {about['brace_level']}" if about.get("brace_level") else ""
     notes = [
-        f"N_Ed: of one brace, by the forces of the dampers{level} times {' to '.join(ends)}; gravity is not carried",
+        f"N_Ed: of one brace, by the forces of the dampers{level} times {' to '.join(ends)}, of histories times the "
+        "factor by their own stroke and velocity; gravity is not carried",
         f"N_b,Rd: EN 1993-1-1, 6.3.1, {about['brace_material']}, buckling length "
         f"{float(str(about['brace_length_factor'])):g} L about both axes",
         "mass: of all braces of the storey, between nodes",
@@ -89,11 +98,11 @@ def braces_table(group: Group, sets: Sequence[HistorySet], variants: Mapping[str
 
 
 def _rows(
-    group: Group, sets: Sequence[HistorySet], variants: Mapping[str, float], rules: SetRules
+    group: Group, sets: Sequence[HistorySet], variants: Mapping[str, float], rules: SetRules, raised: RaisedDevices
 ) -> Iterator[_Braces]:
     found = [(f"{one.variant}, {one.level}".rstrip(", "), one) for one in sets if one.variant in variants]
     first = "design" if _verified(group) else "estimate"
-    forces = {whose: brace_forces(group, one, rules) for whose, one in found}
+    forces = {whose: brace_forces(group, one, rules, raised) for whose, one in found}
     for storey in places({"": group}, "storey"):
         section = str(group.variables["brace_section"].values[storey.number])
         yield _Braces(first, storey, section, storey.known("brace_force"))

@@ -6,15 +6,13 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from edesign.archive.reader import Archive
+from edesign.assess.raised_devices import RaisedDevices
 from edesign.assess.sets import HistorySet
-from edesign.errors import InputError
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.study.study import Study
-from edesign.report.design.device_order import OrderFactors
 from edesign.report.design.tables import design_tables
 from edesign.report.tables.table import Table
-from edesign.study.design.building import law_at
-from edesign.study.plan.device_factors import factors_in_force, factors_note
+from edesign.study.plan.device_factors import raised_devices
 from edesign.study.plan.variants import bound_of
 from edesign.study.results.kinds import DESIGNS
 
@@ -30,23 +28,10 @@ def designs_tables(archive: Archive, study: Study | None, sets: Sequence[History
     hazard = None if study is None else study.base.hazard
     for name in archive.names(DESIGNS):
         factors = {} if study is None else property_factors_of(study, name)
-        raised = OrderFactors() if study is None else order_factors_of(study, name)
+        raised = RaisedDevices() if study is None else raised_devices(study, name)
         found = design_tables(archive.group(f"{DESIGNS}/{name}"), sets, factors, hazard, raised)
         tables += [replace(table, owner=name) for table in found]
     return tables
-
-
-def order_factors_of(study: Study, design: str) -> OrderFactors:
-    """Return the factors of the code on dampers of a design that are ordered, and the law that they have."""
-    factors = factors_in_force(study, study.hazard)
-    spec = study.designs.get(design)
-    law = None
-    if spec is not None and not isinstance(spec, PlacementDesign):
-        try:
-            law = law_at(study.base, spec.law, spec.temperature).law
-        except InputError:  # a law file is not at hand
-            law = None
-    return OrderFactors(factors, law, factors_note(factors, study.device_factors is not None))
 
 
 def property_factors_of(study: Study, design: str) -> dict[str, float]:

@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import NamedTuple
 
 from edesign.archive.dataset import Group
 from edesign.assess.devices import DeviceDemand, device_demand
+from edesign.assess.raised_devices import RaisedDevices
 from edesign.assess.sets import HistorySet
-from edesign.codes.device_factors import NONE, DeviceFactors
 from edesign.codes.motion_sets import SetRules
 from edesign.codes.rule_check import with_standard
-from edesign.core import LawValues
-from edesign.damper.factored import force_ratio
 from edesign.report.design.viscous_tables import kilonewtons
 from edesign.report.tables.column import Column, col, count, text
 from edesign.report.tables.items import Place, places
@@ -165,44 +161,12 @@ ESTIMATE = "estimate"
 _VALUES = ("force", "stroke", "velocity", "cumulated_plastic", "core_strain", "cumulative_ductility")
 
 
-@dataclass(frozen=True)
-class OrderFactors:
-    """What raises the values that dampers are ordered with.
-
-    Attributes:
-        factors: of a code, or of the study.
-        law: of the dampers, by which their force follows; None: it is not known, and the force is left out.
-        note: where the factors come from.
-    """
-
-    factors: DeviceFactors = NONE
-    law: LawValues | None = None
-    note: str = ""
-
-    def of(self, values: Mapping[str, float | None]) -> dict[str, float]:
-        """Return values with their factors; none where all factors are 1.
-
-        Args:
-            values: of one damper, SI, by name.
-        """
-        factors = self.factors
-        if factors.stroke == 1.0 and factors.velocity == 1.0:
-            return {}
-        by = {"stroke": factors.stroke, "velocity": factors.velocity, "core_strain": factors.stroke}
-        found = {name: factor * value for name, factor in by.items() if (value := values.get(name)) is not None}
-        force, stroke = values.get("force"), values.get("stroke")
-        if self.law is not None and force is not None and stroke is not None:
-            ratio = force_ratio(self.law, stroke, values.get("velocity"), factors.stroke, factors.velocity)
-            found |= {} if math.isnan(ratio) else {"force": force * ratio}
-        return found
-
-
 def devices_tables(
     group: Group,
     sets: Sequence[HistorySet],
     factors: Mapping[str, float],
     rules: SetRules,
-    raised: OrderFactors = OrderFactors(),  # noqa: B008 - frozen
+    raised: RaisedDevices = RaisedDevices(),  # noqa: B008 - frozen
 ) -> list[Table]:
     """Return what is ordered, a row for each storey, and the values that it comes from.
 
@@ -268,19 +232,25 @@ def _order_notes(found: Sequence[DeviceDemand], rules: SetRules) -> list[str]:
 
 
 def _devices(
-    group: Group, found: Sequence[DeviceDemand], factors: Mapping[str, float], rules: SetRules, raised: OrderFactors
+    group: Group, found: Sequence[DeviceDemand], factors: Mapping[str, float], rules: SetRules, raised: RaisedDevices
 ) -> Iterator[_Device]:
     for storey in places({"": group}, "storey"):
         if "estimated_device_force" in group.variables:
             estimated = {name: storey.value(f"estimated_device_{name}") for name in _VALUES}
             both = {name: (value, None) for name, value in estimated.items()}
-            yield _Device(ESTIMATE, storey, 1.0, both, estimated, raised.of(estimated))
+            yield _Device(ESTIMATE, storey, 1.0, both, estimated, raised.of(group, storey.number, estimated))
         for demand in found:
             of = demand.values.items()
             values = {name: (both[0, storey.number], both[1, storey.number]) for name, both in of}
-            counts = 0 if demand.motions >= rules.number_for_mean else 1
-            counted = {name: float(both[counts]) for name, both in values.items()}
-            yield _Device(_whose(demand), storey, factors[demand.variant], values, counted, raised.of(counted))
+            counted = {name: float(of[storey.number]) for name, of in demand.counted(rules).items()}
+            yield _Device(
+                _whose(demand),
+                storey,
+                factors[demand.variant],
+                values,
+                counted,
+                raised.of(group, storey.number, counted),
+            )
 
 
 def _whose(demand: DeviceDemand) -> str:

@@ -9,12 +9,13 @@ from typing import Any
 import numpy as np
 
 from edesign.archive.dataset import Group
+from edesign.assess.raised_devices import RaisedDevices
 from edesign.assess.requirement import UNITS
 from edesign.assess.sets import HistorySet
 from edesign.ground_motion.hazard import rules_in_force
 from edesign.project.actions.hazard_base import Hazard
 from edesign.report.design.braces_table import braces_table
-from edesign.report.design.device_order import OrderFactors, devices_tables
+from edesign.report.design.device_order import devices_tables
 from edesign.report.design.hysteretic_tables import hysteretic_damping_table, hysteretic_storeys_table
 from edesign.report.design.placement_tables import placement_tables
 from edesign.report.design.storeys import STOREY, first_mode, heading
@@ -150,7 +151,7 @@ def design_tables(
     sets: Sequence[HistorySet] = (),
     factors: Mapping[str, float] = EMPTY,
     hazard: Hazard | None = None,
-    raised: OrderFactors = OrderFactors(),  # noqa: B008 - frozen
+    raised: RaisedDevices = RaisedDevices(),  # noqa: B008 - frozen
 ) -> list[Table]:
     """Return the tables of a design.
 
@@ -174,7 +175,7 @@ def design_tables(
         sized = [hysteretic_storeys_table(group), *order, hysteretic_damping_table(group)]
     else:
         sized = [storeys_table(group), damping_table(group)]
-    sized.insert(1, braces_table(group, sets, factors, rules))
+    sized.insert(1, braces_table(group, sets, factors, rules, raised))
     tables = [*sized, plan_modes_table(group), _warnings(group), rounds_table(group), bounds_table(group)]
     return [table for table in tables if table.rows or table.notes]
 

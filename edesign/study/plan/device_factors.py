@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from edesign.assess.raised_devices import RaisedDevices
 from edesign.codes.device_factors import DeviceFactors, device_factors, factors_of_code
 from edesign.codes.rule_check import UNREAD
+from edesign.errors import InputError
 from edesign.project.actions.hazard import UserHazard
 from edesign.project.actions.hazard_base import Hazard
 from edesign.project.dampers.dampers import GivenFactors
+from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.study.study import Study
+from edesign.study.design.building import law_at
 
 
 def factors_in_force(study: Study | None, hazard: Hazard | None) -> DeviceFactors:
@@ -25,6 +29,19 @@ def factors_in_force(study: Study | None, hazard: Hazard | None) -> DeviceFactor
     if hazard is None:
         return factors_of_code("")
     return factors_of_code(hazard.criteria if isinstance(hazard, UserHazard) else hazard.code)
+
+
+def raised_devices(study: Study, design: str) -> RaisedDevices:
+    """Return the factors of the code on the dampers of a design, and the law that they have."""
+    factors = factors_in_force(study, study.hazard)
+    spec = study.designs.get(design)
+    law = None
+    if spec is not None and not isinstance(spec, PlacementDesign):
+        try:
+            law = law_at(study.base, spec.law, spec.temperature)
+        except InputError:  # a law file is not at hand
+            law = None
+    return RaisedDevices(factors, law, factors_note(factors, study.device_factors is not None))
 
 
 def factors_note(factors: DeviceFactors, asked: bool) -> str:
