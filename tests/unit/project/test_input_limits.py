@@ -76,7 +76,7 @@ def test_yaml_files(read: Callable[[Path], object], tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     "text",
     ["- a\n" * 600_000, "-\n" * 600_000, "a: [" + "1," * 600_000 + "]", "[" * 600_000, '{"a":' * 300_000,
-     "".join(f"k{i}: 1\n" for i in range(400_000)), "{" + "a, " * 600_000 + "}"],
+     "".join(f"k{i}: 1\n" for i in range(320_000)), "{" + "a, " * 600_000 + "}"],
 )  # fmt: skip
 def test_every_way_to_write_many_values_is_counted(text: str) -> None:
     begin = time.process_time()
