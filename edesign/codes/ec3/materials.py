@@ -28,6 +28,8 @@ _EN_10025_2: dict[str, tuple[tuple[float, float, float], ...]] = {  # thickness 
 }
 """Source: EN 10025-2:2004, Table 7."""
 
+GRADES = tuple(_EN_10025_2)
+
 _TABLE_3_1: dict[str, tuple[tuple[float, float, float], ...]] = {
     "S235": ((40, 235, 360), (80, 215, 360)),
     "S275": ((40, 275, 430), (80, 255, 410)),

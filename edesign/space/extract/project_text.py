@@ -413,6 +413,8 @@ class _ProjectText:
             return []
         design = design_of(self.building)
         members = design.members.model_dump(include=set(MemberStability.model_fields), exclude_defaults=True)
+        if "yield_by_thickness" in design.members.model_fields_set:  # materials have f_y by thickness, or are meant
+            members["yield_by_thickness"] = False
         factors = design.partial_factors.model_dump(include=set(SteelFactors.model_fields))
         blocks = ({"members": members} if members else {}) | {"partial_factors": factors}
         text = ["design:", *(f"  {name}: {yaml_text(of).strip()}" for name, of in blocks.items())]

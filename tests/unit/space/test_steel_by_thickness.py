@@ -7,10 +7,16 @@ import pytest
 from building_examples import SMALL, building, design_of
 
 from edesign.errors import InputError
+from edesign.frame.sections.building_sections import BuildingSections
 from edesign.frame.sections.steel_section import steel_section
+from edesign.project import parse_project
+from edesign.space.check import building_warnings
 from edesign.space.elastic_design import ElasticAnalysis
+from edesign.space.extract import frame_row, project_text
 from edesign.space.selection.groups import groups_of
-from edesign.space.structure.steel_by_thickness import with_steel_by_thickness
+from edesign.space.structure.geometry import space_frame
+from edesign.space.structure.steel_by_thickness import thick_parts, with_steel_by_thickness
+from edesign.study.results.checked_members import checked_members
 
 THICK = (
     SMALL.replace("columns: [{section: HEB200,", "columns: [{section: HEB450,")
@@ -65,6 +71,41 @@ def test_sections_that_are_too_thick_are_left_out() -> None:
 def test_what_is_refused(changes: list[tuple[str, str]], says: str) -> None:
     with pytest.raises(InputError, match=says):
         with_steel_by_thickness(building(THICK, *changes))
+
+
+_BY_MATERIALS = THICK.replace("  members: {yield_by_thickness: true}\n", "")
+
+
+@pytest.mark.parametrize(
+    ("changes", "says"),
+    [
+        ([], ["HEB450 275 MPa (26 mm: 265 MPa)"]),
+        (
+            [("HEB450", "HD400x634"), ("IPE300", "HEB300")],
+            ["HD400x634.0 275 MPa (77.1 mm: 245 MPa), HEB300 275 MPa (19 mm: 265"],
+        ),
+        ([("HEB450", "HEB200")], []),  # flanges of 15 mm
+        ([("S275: {fy: 275 MPa}", "S275: {fy: 265 MPa}")], []),  # that of the thick parts
+        ([("S275: {fy: 275 MPa}", "S275: {fy: 300 MPa}")], []),  # as measured
+        ([("ductility_class: medium", "ductility_class: medium\n  members: {yield_by_thickness: false}")], []),
+    ],
+)
+def test_thick_parts_with_the_strength_of_thin_ones_are_said(changes: list[tuple[str, str]], says: list[str]) -> None:
+    """EN 10025-2, Table 7, S275: 265 MPa up to 40 mm, 245 MPa up to 80 mm; frames that are extracted say it too."""
+    of = building(_BY_MATERIALS, *changes)
+    warned = [text for text in building_warnings(of) if text.startswith("design.members.yield_by_thickness")]
+    assert len(warned) == bool(says) and all(part in warned[0] for part in says)
+    frame = parse_project(project_text(frame_row(of, space_frame(of), "X2")), "frame.yaml", BuildingSections())
+    assert thick_parts(frame) == warned
+
+
+def test_extracted_frames_have_the_steel_of_their_building() -> None:
+    """Their materials are by thickness, so that their checks take these as they are."""
+    of = with_steel_by_thickness(building(THICK))
+    frame = parse_project(project_text(frame_row(of, space_frame(of), "X2")), "frame.yaml", BuildingSections())
+    (column,) = checked_members(frame, ["C_A2_1"]).members
+    assert column.plastic.fy == 265e6
+    assert thick_parts(frame) == []
 
 
 def test_a_name_that_is_no_grade() -> None:
