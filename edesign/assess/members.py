@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Generic, TypeVar, cast
 
@@ -92,7 +92,7 @@ class VariantMembers(Generic[File]):
 
 
 def frame_members(project: AnalysisFile) -> dict[str, FrameMember]:
-    """Return the columns and beams of a frame or building that Table 5-6 knows, by name.
+    """Return the columns and beams of a frame or building that Table 5-6 knows, by name, and the halves of its beams.
 
     The file's fy is taken for both the expected and the lower-bound yield stress. P_CL is that of the length between
     nodes about both axes (K = 1: P-Delta is part of the analysis). Left out are braces, members that stay elastic,
@@ -117,7 +117,7 @@ def frame_members(project: AnalysisFile) -> dict[str, FrameMember]:
         section = i_section(project, frame.beam_at[beam.bay, beam.floor])
         if section is not None:
             found[name] = FrameMember(name, "beam", beam.floor, beam.length, section)
-    return found
+    return found | _halves(found, (frame.beam_name(*place) for place in frame.beam_at))
 
 
 def _building_members(building: Building) -> dict[str, FrameMember]:
@@ -132,7 +132,17 @@ def _building_members(building: Building) -> dict[str, FrameMember]:
         length = math.dist(*(layout.nodes[end] for end in layout.ends[name]))
         strength = lower_bound_axial_strength(section, length, length) if kind == "column" else math.inf
         found[name] = FrameMember(name, kind, storey_of(name), length, section, strength, "y")
-    return found
+    return found | _halves(found, (str(place) for place in layout.beam_at))
+
+
+def _halves(members: Mapping[str, FrameMember], beams: Iterable[str]) -> dict[str, FrameMember]:
+    """The halves of beams that are whole in the file: dampers of a variant may meet any of them in the middle."""
+    return {
+        half: replace(members[beam], name=half, length=0.5 * members[beam].length)
+        for beam in beams
+        if beam in members
+        for half in (f"{beam}_1", f"{beam}_2")
+    }
 
 
 def member_usages(

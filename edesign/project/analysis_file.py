@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Protocol, Self, TypeVar
 
@@ -121,6 +121,15 @@ class AnalysisFile(RecordFiles, FileModel):
     @abstractmethod
     def with_dampers(self, dampers: Dampers | None) -> Self:
         """Return the file with other dampers; without any the members keep their names."""
+
+    @abstractmethod
+    def with_halves(self, beams: Collection[str]) -> Self:
+        """Return the file whose dampers meet those beams in the middle of which the halves are named.
+
+        Args:
+            beams: names of beams and of halves, as an analysis of a variant with dampers of its own has them; none: the
+                file stays as it is.
+        """
 
     def with_values(self, values: Mapping[KeyPath, Any] | KeyPath, value: Any = None) -> Self:
         """Return the file as it would be with other values; see `FileModel.with_values`.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from functools import cached_property
 from pathlib import Path
 from typing import Annotated, ClassVar, Self
@@ -141,6 +141,14 @@ class Project(AnalysisFile):
             return self.model_copy(update={"dampers": None})
         frame = self.frame.met_by_dampers(self._beams_met(dampers))
         return self.model_copy(update={"dampers": dampers, "frame": frame})
+
+    def with_halves(self, beams: Collection[str]) -> Self:
+        """Return the project whose dampers meet those beams in the middle of which the halves are named."""
+        if not beams:
+            return self
+        found, grid = frozenset(beams), self.frame
+        met = [place for place in grid.beam_at if f"{grid.beam_name(*place)}_1" in found]
+        return self.model_copy(update={"frame": grid.met_by_dampers(met)})
 
     @property
     def footings(self) -> Mapping[str, Footing]:

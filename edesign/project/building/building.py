@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from functools import cached_property
 from itertools import accumulate
 from pathlib import Path
@@ -214,6 +214,7 @@ class Building(spacing.Storeys, AnalysisFile):
 
     _path: Path = PrivateAttr(default=Path("building.yaml"))
     _stood: tuple[DamperRun, ...] = PrivateAttr(default=())
+    _halves: frozenset[str] | None = PrivateAttr(default=None)
 
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
         """Return a copy whose derived values are computed anew.
@@ -302,6 +303,19 @@ class Building(spacing.Storeys, AnalysisFile):
         found = self.model_copy(update={"dampers": dampers})
         found._stood = self.in_place_of_chevrons if dampers is None else ()
         return found
+
+    def with_halves(self, beams: Collection[str]) -> Self:
+        """Return the building whose dampers meet those beams in the middle of which the halves are named."""
+        if not beams:
+            return self
+        found = self.model_copy()
+        found._halves = frozenset(beams)
+        return found
+
+    @property
+    def halves(self) -> frozenset[str] | None:
+        """Names among which are the halves of beams that dampers meet; None: the dampers say which beams they meet."""
+        return self._halves
 
     def widths(self, along: Direction | None = None) -> tuple[float, ...]:
         """Return the widths of the bays along x or y, m."""

@@ -131,6 +131,9 @@ class Layout(Storeys):
         met = {
             met_beam(place, run) for place, run in self.brace_at.items() if run.kind in CHEVRONS and run.link is None
         }
+        halves = self._building.halves
+        if halves is not None:
+            return frozenset(met | {beam for beam in self.beam_at if f"{beam}_1" in halves and beam not in self.links})
         for damper in self._building.in_place_of_chevrons:
             beams = (BeamPlace(*place) for place in self.brace_places(damper))
             met |= {beam for beam in beams if beam in self.beam_at}

@@ -38,7 +38,7 @@ def force_envelopes(archive: Archive) -> Iterator[Named]:
         return
     of = VariantMembers(project, archived_study(archive)).project
     for variant, (history, group, member, use) in _governing(archive).items():
-        frame = of(variant).frame
+        frame = of(variant).with_halves(names_of(group, "member")).frame
         whose = f"Variant {variant}, " if variant else ""
         for quantity in QUANTITIES:
             members = dict(_along(frame, group, quantity))

@@ -108,6 +108,7 @@ def scenes(archive: Archive) -> Iterator[Scene]:
             limits = tuple(table[end] if scale is ACCEPTANCE else ROTATION.limits for end in ends)
             masses = tuple(names_of(group, "tuned_mass")) if "tuned_mass_displacement" in group.variables else ()
             dampers, own = tuple(names_of(group, "damper")), file if of is None else of.project(variant)
+            own = own.with_halves(names_of(group, "beam"))
             if isinstance(own, Project):
                 geometry = moving_frame(own.frame, dampers, masses)
             else:

@@ -24,7 +24,7 @@ from edesign.report.archived import archived_building, archived_project, archive
 from edesign.report.assessment.measure_columns import ROUNDING
 from edesign.report.drawing.building_drawing import BuildingElevation, frame_names
 from edesign.report.drawing.captions import at_level, file_name, plain
-from edesign.report.drawing.frame_drawing import Elevation, FrameElevation
+from edesign.report.drawing.frame_drawing import Elevation, FrameElevation, Line
 from edesign.report.drawing.panels import arrangement
 from edesign.report.drawing.style import MEAN, legend_below, styled
 from edesign.report.response.directions import strong_axes
@@ -44,6 +44,7 @@ if TYPE_CHECKING:
 
 End = tuple[str, int]
 K = TypeVar("K")
+Statistic = Callable[[np.ndarray], float]
 
 COLORS = ("#fbd9a0", "#f2994a", "#c8452f", "#5b0f2e")
 SIZES = (3.0, 4.2, 5.4, 6.8)  # points; size and darkness grow together, so that grey print keeps the order
@@ -80,12 +81,14 @@ class Hinges:
         values: of member ends (member, 0 start or 1 end): plastic rotation (rad) or class of `ACCEPTANCE`.
         dampers: names of the dampers in the frame.
         isolated: whether it stands on isolators.
+        lines: start and end of its members by name, m; None: they are those of the figure.
     """
 
     title: str
     values: Mapping[End, float]
     dampers: tuple[str, ...] = ()
     isolated: bool = False
+    lines: Mapping[str, Line] | None = None
 
 
 def frame_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
@@ -106,11 +109,17 @@ def frame_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
             seen = archive.seen_through(partial(in_frame, name, strong))
             judged = {column for column, axis in strong.items() if axis == name[0].lower()}
             for level, variants in by_level(histories(seen)).items():
-                elevation = _Elevation(BuildingElevation(project, name), name, judged)
+                elevation = _Elevation(
+                    partial(BuildingElevation, name=name), BuildingElevation(project, name), name, judged
+                )
                 yield from _of_level(seen, level, variants, elevation, of)
     elif isinstance(project, Project):
         for level, variants in by_level(histories(archive)).items():
-            yield from _of_level(archive, level, variants, _Elevation(FrameElevation(project.frame)), of)
+            yield from _of_level(archive, level, variants, _Elevation(_of_frame, FrameElevation(project.frame)), of)
+
+
+def _of_frame(project: Project) -> Elevation:
+    return FrameElevation(project.frame)
 
 
 def in_frame(name: str, strong: Mapping[str, str], group: Group) -> Group:
@@ -119,11 +128,20 @@ def in_frame(name: str, strong: Mapping[str, str], group: Group) -> Group:
 
 
 class _Elevation(NamedTuple):
-    """What is drawn, its name, and the columns that are judged about their strong axis; None: all are."""
+    """What is drawn of a file, of that of the archive, its name, and columns judged about their strong axis, or all."""
 
+    of: Callable[[Any], Elevation]
     drawing: Elevation
     name: str = ""
     judged: Collection[str] | None = None
+
+    def panel(self, file: AnalysisFile, variant: str, read: Mapping[History, Group], take: Statistic) -> Hinges:
+        """Return the rotations of a variant on its own members: dampers of a design may halve its beams."""
+        first = next(iter(read.values()))
+        lines = self.of(file.with_halves(names_of(first, "beam"))).lines
+        values = {end: float(take(of)) for end, of in _worst(read, plastic_rotations).items()}
+        title = ", ".join(part for part in (variant, counted(read)) if part)
+        return Hinges(title, values, tuple(names_of(first, "damper")), bool(first.attributes.get("isolated")), lines)
 
 
 def _of_level(
@@ -152,8 +170,12 @@ def _of_level(
     for statistic, words, take in (("mean", "Mean", np.mean), ("max", "Largest", np.max)):
         if statistic == "max" and all(len({h.of_motion for h in there}) == 1 for there in found.values()):
             continue
-        panels = [_panel(variant, there, take) for variant, there in found.items()]
-        if statistic == "mean" and not _drawn(panels) and _drawn([_panel(v, of, np.max) for v, of in found.items()]):
+        panels = [elevation.panel(of(variant), variant, there, take) for variant, there in found.items()]
+        if (
+            statistic == "mean"
+            and not _drawn(panels)
+            and _drawn([elevation.panel(of(v), v, there, np.max) for v, there in found.items()])
+        ):
             continue  # the largest say more
         caption = f"{words} over the records of the peak plastic rotations of member ends{where}{at_level(level)}. "
         figure = hinge_figure(elevation.drawing, panels, ROTATION)
@@ -164,7 +186,7 @@ def _of_level(
         values = acceptance(of(variant), there)
         if elevation.judged is not None:  # Table 5-6 is of bending about the strong axis
             values = {end: value for end, value in values.items() if end[0][0] != "C" or end[0] in elevation.judged}
-        classes.append(replace(_panel(variant, there, np.mean), values=values))
+        classes.append(replace(elevation.panel(of(variant), variant, there, np.mean), values=values))
     if any(any(panel.values.values()) for panel in classes):
         caption = f"Mean peak plastic rotations{where}{at_level(level)} by the limits of FEMA 356, Table 5-6, primary; "
         caption += f"columns above half of P_CL are over CP from {1e3 * ELASTIC_ROTATION:g} mrad. "
@@ -204,13 +226,6 @@ def acceptance(project: AnalysisFile, read: Mapping[History, Group]) -> dict[End
     return found
 
 
-def _panel(variant: str, read: Mapping[History, Group], take: Callable[[np.ndarray], float]) -> Hinges:
-    values = {end: float(take(of)) for end, of in _worst(read, plastic_rotations).items()}
-    title = ", ".join(part for part in (variant, counted(read)) if part)
-    first = next(iter(read.values()))
-    return Hinges(title, values, tuple(names_of(first, "damper")), bool(first.attributes.get("isolated")))
-
-
 def _worst(read: Mapping[History, Group], of: Callable[[Group], Mapping[K, float]]) -> dict[K, np.ndarray]:
     """The largest values of each motion, (motions,), by place; places are those of the first history."""
     each = [of(group) for group in read.values()]
@@ -238,8 +253,7 @@ def hinge_figure(frame: Elevation, panels: Sequence[Hinges], scale: Scale = ROTA
     """
     from matplotlib.lines import Line2D
 
-    lines = frame.lines
-    xs, ys = ([end[k] for line in lines.values() for end in line] for k in (0, 1))
+    xs, ys = ([end[k] for line in frame.lines.values() for end in line] for k in (0, 1))
     arranged = arrangement(len(panels), xs, ys, DRAWN * frame.width, DRAWN * frame.height)
     figure, axes = arranged.figure()
     offset = OFFSET * frame.bay
@@ -248,6 +262,7 @@ def hinge_figure(frame: Elevation, panels: Sequence[Hinges], scale: Scale = ROTA
     for axis, panel in zip(axes, panels, strict=False):
         frame.draw(axis, panel.dampers, panel.isolated)
         arranged.scale(axis)
+        lines = frame.lines if panel.lines is None else panel.lines
         for (member, end), value in panel.values.items():
             rank = scale.rank(value)
             if rank and member in lines:

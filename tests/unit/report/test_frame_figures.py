@@ -10,12 +10,18 @@ import pytest
 from matplotlib.text import Text
 from unit.report.figure_archive import TEXT, history, small_archive
 
+from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
+from edesign.archive.writer import ArchiveWriter
 from edesign.frame.sections.profiles import profile_names
 from edesign.project import parse_project
 from edesign.report.drawing.frame_drawing import FrameElevation
+from edesign.report.motion.encoding import scene_text
+from edesign.report.motion.scenes import scenes
+from edesign.report.motion.still import still_figure
 from edesign.report.response.frame_figures import ACCEPTANCE, ROTATION, Hinges, acceptance, frame_figures, hinge_figure
 from edesign.report.response.histories import History
+from edesign.study.results.recording import coordinate
 
 PROJECT = parse_project(TEXT, "project.yaml", profile_names())
 FRAME = PROJECT.frame  # one bay of 6 m, storeys of 4 and 3 m
@@ -80,6 +86,41 @@ def test_classes_of_acceptance_of_a_compact_beam() -> None:
         assert found["B_1_2", 1] == 0.0  # below 1 mrad
 
 
+def halved(group: Any) -> Any:
+    """The history of a variant whose dampers meet the beam of the first floor, as a design of braces does."""
+    coordinate(group, "beam", ["B_1_1_1", "B_1_1_2", "B_1_2"], "", "beam")
+    rotations = [[0.012, 0.0], [0.0, 0.003], [0.0, 0.0005]]
+    group.add("beam_plastic_rotation_min", ("beam", "end"), -np.array(rotations), "rad", "least")
+    return group
+
+
+def test_hinges_of_beams_that_dampers_of_a_variant_halve(tmp_path: Path) -> None:
+    """The file has the beam whole; its ends at columns are drawn, and the classes count all ends of both halves.
+
+    FEMA 356, Table 5-6 a: theta_y of half the span, 3 m, is half that of 6 m, 4.9 mrad: 12 mrad is 2.4 theta_y.
+    """
+    root = Group()
+    root.add("project_text", (), np.array(TEXT), "", "project")
+    with ArchiveWriter(tmp_path / "a.h5", root) as writer:
+        for name, group in (("bare", history("bare", "x", 0, 1.0)), ("brb", halved(history("brb", "x", 1, 0.1)))):
+            group.add("storey_height", ("storey",), np.array([4.0, 3.0]), "m", "height")
+            writer.write(f"analyses/{name}.DBE.x", group)
+        writer.finish()
+    with open_archive(tmp_path / "a.h5") as archive:
+        found = {name: (caption, figure) for name, caption, figure in frame_figures(archive)}
+        (scene,) = scenes(archive)
+        still_figure(scene), scene_text(scene)
+    caption, figure = found["hinges_DBE_mean"]
+    assert hinges(figure.axes[1]) == {("B_1_1_1", 0): 3, ("B_1_1_2", 1): 1}
+    at = {line.get_gid(): line.get_xdata()[0] for line in figure.axes[1].lines if "hinge" in str(line.get_gid())}
+    first, last = at.values()
+    assert 0.0 < first < 1.0 and 5.0 < last < 6.0
+    assert "2 of 14 ends" in caption
+    assert hinges(found["hinges_DBE_acceptance"][1].axes[1]) == {("B_1_1_1", 0): 2, ("B_1_1_2", 1): 1}
+    whole, halves = (one.geometry for one in scene.variants)
+    assert whole.members["B_1_1"] and halves.members["B_1_1_2"] and "B_1_1" not in halves.members
+
+
 def test_members_and_dampers_to_scale() -> None:
     drawn = FrameElevation(FRAME)
     lines = drawn.lines
@@ -95,9 +136,6 @@ def test_members_and_dampers_to_scale() -> None:
 
 
 def test_without_the_project_there_is_no_elevation(tmp_path: Path) -> None:
-    from edesign.archive.dataset import Group
-    from edesign.archive.writer import ArchiveWriter
-
     with ArchiveWriter(tmp_path / "a.h5", Group()) as writer:
         writer.write("analyses/a", history("bare", "x", 0, 1.0))
         path = writer.finish()
