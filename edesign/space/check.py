@@ -26,7 +26,7 @@ from edesign.space.structure.geometry import space_frame
 from edesign.space.structure.load_cases import on_nodes
 from edesign.space.structure.masses import floor_masses
 from edesign.space.structure.secondary_beams import secondary_beams
-from edesign.space.structure.steel_by_thickness import thick_parts, with_steel_by_thickness
+from edesign.space.structure.steel_by_thickness import with_steel_by_thickness
 
 R = TypeVar("R")
 ELASTIC_ALONE = "own load cases act in the elastic design alone; histories, pushovers and modes have `loads.gravity`"
@@ -177,13 +177,12 @@ def _check_lists(building: Building) -> None:
 
 
 def building_warnings(building: Building) -> list[str]:
-    """List what is allowed and may not be meant: unusual values, ends, f_y of thick parts, columns that grow upwards.
+    """List what is allowed and may not be meant: unusual values and ends, columns that grow upwards.
 
     Returns:
         Sentences, each with its place in the file.
     """
     found = [f"{building.where(*keys)}: {text}" for keys, text in unusual(building)] + unusual_ends(building)
-    found += thick_parts(building)
     at = building.layout.column_at
     larger = [
         column_name(line, storey)

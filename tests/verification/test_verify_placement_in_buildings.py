@@ -89,7 +89,8 @@ def study_of(
         "edesign_study: 1\ntitle: Tried\nproject: base.yaml\n"
         f"designs: {{tried: {{method: placement, {design}, {judged}}}}}\n"
         f"variants: {{damped: {{design: tried}}}}\n"
-        f"criteria: [{{name: drift, measure: interstorey_drift, most: {100.0 * most} %, levels: DBE, statistic: mean}}]\n"
+        f"criteria: [{{name: drift, measure: interstorey_drift, most: {100.0 * most} %, levels: DBE, "
+        "statistic: mean}]\n"
     )
     (folder / "study.yaml").write_text(text, encoding="utf-8")
     return load_study(folder / "study.yaml")

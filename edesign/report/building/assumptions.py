@@ -5,6 +5,7 @@ from __future__ import annotations
 from edesign.project.building.building import Building
 from edesign.project.building.design import Design
 from edesign.space.structure.design_block import rules_of
+from edesign.space.structure.steel_by_thickness import thick_parts
 
 Rows = list[tuple[str, str]]
 NOT_CHECKED = (
@@ -33,6 +34,7 @@ def building_assumption_rows(building: Building) -> Rows:
             ("Torsion", _torsion(building, design)),
             ("Imperfections and second order", _second_order(design)),
             *([("Buckling-restrained braces", _RESTRAINED)] if any(run.law for run in building.braces) else []),
+            *([("Yield strength in checks", thick)] if (thick := thick_parts(building)) else []),
             ("Stability of members", _stability(design)),
             ("Not checked", rules_of(design).told(NOT_CHECKED)),
         ]

@@ -16,6 +16,7 @@ from edesign.project.project import Project
 from edesign.project.study.incremental import Incremental
 from edesign.project.study.study import Histories, Study
 from edesign.report.drawing.captions import plain
+from edesign.space.structure.steel_by_thickness import thick_parts
 
 Rows = list[tuple[str, str]]
 Shaken = HistoryAnalysis | Histories | Incremental
@@ -33,6 +34,7 @@ def assumption_rows(project: Project, study: Study | None = None) -> Rows:
     rows = [
         ("Model", _model(project)),
         ("Yielding", _yielding(project)),
+        ("Yield strength in checks", thick_parts(project)),
         ("Second-order effects", _second_order(project)),
         ("Floors", _floors(project.frame)),
         ("Mass", _mass(project)),

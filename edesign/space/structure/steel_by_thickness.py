@@ -115,8 +115,8 @@ def with_steel_by_thickness(building: Building) -> Building:
     )
 
 
-def thick_parts(file: Building | Project) -> list[str]:
-    """Return one sentence where f_y of thick parts is that of thin ones and `design` does not say that it is meant.
+def thick_parts(file: Building | Project) -> str:
+    """Return a sentence where f_y of thick parts is that of thin ones and `design` does not say that it is meant.
 
     Steels are grades by their names, others by f_y of their thin parts. Those with less or more than f_y of thin parts
     have what was measured or expected, and cores of buckling-restrained braces that of their manufacturer.
@@ -127,7 +127,7 @@ def thick_parts(file: Building | Project) -> list[str]:
     Source: EN 10025-2:2004, Table 7.
     """
     if file.design is None or "yield_by_thickness" in file.design.members.model_fields_set:
-        return []
+        return ""
     found: dict[str, float] = {}
     for section, material in dict.fromkeys(_sections(file)):
         fy = getattr(file.materials[material], "fy", 0.0)
@@ -145,13 +145,13 @@ def thick_parts(file: Building | Project) -> list[str]:
             by = f"{least / 1e6:g} MPa" if least else "which is not made"
             found[f"{section} {fy / 1e6:g} MPa ({1e3 * thickness:.4g} mm: {by})"] = thickness
     if not found:
-        return []
+        return ""
     first = sorted(found, key=lambda text: -found[text])
     more = f" and {len(first) - _NAMED} more" if len(first) > _NAMED else ""
-    return [
-        "design.members.yield_by_thickness: thick parts have f_y of thin ones, in brackets that of EN 10025-2: "
-        f"{', '.join(first[:_NAMED])}{more}; write `true` for f_y by thickness, or `false` for that of `materials`"
-    ]
+    return (
+        f"Thick parts have f_y of thin ones, in brackets that of EN 10025-2: {', '.join(first[:_NAMED])}{more}. With "
+        "`yield_by_thickness` they have their own."
+    )
 
 
 def _sections(file: Building | Project) -> list[tuple[str, str]]:

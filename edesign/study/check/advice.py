@@ -28,7 +28,6 @@ from edesign.project.records.chosen_records import ChosenRecords
 from edesign.project.records.pairs import InSpace
 from edesign.project.records.records import record_of
 from edesign.project.study.study import Study
-from edesign.space.structure.steel_by_thickness import thick_parts
 from edesign.study.analysis.buckling import slender_braces
 from edesign.study.analysis.dampers import law_warnings, laws_that_stand, with_restrained_braces
 from edesign.study.analysis.modal import fundamental_period
@@ -57,7 +56,7 @@ def project_warnings(project: AnalysisFile, records: Mapping[str, Record]) -> li
     vertical = any(isinstance(spec, HistoryAnalysis) and spec.vertical is not None for spec in project.analyses)
     found = frame_warnings(project, records) + (_still_warnings([project]) if vertical else [])
     return [
-        *_of_frame(project),
+        *_left_in_building(project),
         *found,
         *couple_advice(project),
         *law_warnings(project),
@@ -66,14 +65,12 @@ def project_warnings(project: AnalysisFile, records: Mapping[str, Record]) -> li
     ]
 
 
-def _of_frame(project: AnalysisFile) -> list[str]:
-    """Say what the building of an extracted frame has and the frame has not, and which f_y its thick parts have."""
-    if not isinstance(project, Project):
+def _left_in_building(project: AnalysisFile) -> list[str]:
+    """Say what the building of an extracted frame has and the frame has not."""
+    without = project.frame.left_in_building if isinstance(project, Project) else ()
+    if not without:
         return []
-    found, without = thick_parts(project), ", ".join(project.frame.left_in_building)
-    if without:
-        found.append(f"frame.left_in_building: the building has {without} too; analyses of the frame are without")
-    return found
+    return [f"frame.left_in_building: the building has {', '.join(without)} too; analyses of the frame are without"]
 
 
 def _still_warnings(projects: Iterable[AnalysisFile]) -> list[str]:
@@ -179,7 +176,7 @@ def study_warnings(study: Study, plan: Sequence[Task], records: Mapping[str, Rec
         InputError: the frame cannot be built, or a law has no parameters at a temperature.
     """
     designed = [name for design in study.designs.values() for name in laws_of_design(design)]
-    found = [*_of_frame(study.base), *frame_warnings(study.base, records, designed)]
+    found = [*_left_in_building(study.base), *frame_warnings(study.base, records, designed)]
     for name, variant in study.variants.items():
         if variant.values and name not in study.derived:  # those of a sweep are many, between frames that are judged
             warnings = frame_warnings(study.project_of(name), records, designed)
