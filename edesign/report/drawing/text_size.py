@@ -6,6 +6,7 @@ import re
 from functools import lru_cache
 
 INCH = 72.0  # points
+_BLANK = re.compile("(?<! =) (?!= )")
 
 
 @lru_cache(maxsize=4096)
@@ -27,6 +28,8 @@ def text_size(words: str, size: float) -> tuple[float, float]:
 def wrapped(words: str, room: float, size: float) -> list[str]:
     """Return a text in lines that are not wider than a room: broken at blanks, and long names after `_` too.
 
+    The value of a symbol, `L_wp = 5 m`, stands on the line of the symbol.
+
     Args:
         room: width, inches.
         size: of the type, points.
@@ -34,7 +37,7 @@ def wrapped(words: str, room: float, size: float) -> list[str]:
     if text_size(words, size)[0] <= room:
         return [words]
     lines = [""]
-    for word in words.split(" "):
+    for word in _BLANK.split(words):
         if lines[-1] and text_size(f"{lines[-1]} {word}", size)[0] <= room:
             lines[-1] += f" {word}"
             continue

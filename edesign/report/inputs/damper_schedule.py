@@ -162,6 +162,8 @@ def _layers(size: DeviceSize, thickness: float) -> str:
 
 
 def _brace(device: Device) -> str:
+    if device.restrained is not None:
+        return "itself"
     if not device.brace:
         return "rigid"
     stiffness = f"{significant(device.brace / KN_MM.si)} kN/mm"

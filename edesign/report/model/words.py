@@ -116,9 +116,12 @@ def device_size(project: AnalysisFile, device: DamperRun | DamperBetween | AnyBa
 
 def _scaled(law: DamperLaw | None, scale: float) -> str:
     """The coefficient of a dashpot with a factor on its forces; of other laws the factor."""
-    if law is None or law.type not in DASHPOTS or law.parameters is None or law.effects:
+    known = law is not None and law.parameters is not None and not law.effects
+    if law is None or law.type not in (*DASHPOTS, "buckling_restrained") or not known:
         return f"forces × {short(scale)}"
     values = read_parameters(LAWS[law.type], law.parameters)
+    if law.type == "buckling_restrained":
+        return f"core of {short(1e6 * scale * values['A_sc'])} mm²"
     return f"c = {coefficient_in_words(scale * values['c'], values.get('alpha', 1.0))}"
 
 

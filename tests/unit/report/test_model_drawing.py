@@ -23,6 +23,7 @@ from edesign.frame.building_file import load_building
 from edesign.frame.project_file import load_project, load_study
 from edesign.project.reading.file_model import FileModel
 from edesign.report.drawing.symbols import in_parts
+from edesign.report.drawing.text_size import wrapped
 from edesign.report.inputs.designed_dampers import designed_dampers
 from edesign.report.model.boxes import Boxes, Spot, corners_of
 from edesign.report.model.loads import loads_of
@@ -64,6 +65,15 @@ def test_laws_in_words_have_titles_and_symbols() -> None:
     found = list(in_parts(law_words("one_way", laws["one_way"])))
     assert {("c", "plus"), ("c", "minus"), ("α", "")} <= {(before[-1:], index) for before, index in found}
     assert not any(index for _, index in in_parts("columns c_1, k_1"))  # names of users, without values
+
+
+def test_the_value_of_a_symbol_stands_on_its_line() -> None:
+    """A symbol has its index where its value follows it; all blanks but those about `=` break lines."""
+    said = "F_ysc = 235 MPa, E = 210 GPa, L_wp = 5 m, L_y = 3.5 m, KF = 1.3"
+    for room in np.linspace(0.6, 3.0, 25):
+        lines = wrapped(said, room, 6.0)
+        assert " ".join(lines) == said
+        assert not any(line.startswith("=") or line.endswith("=") for line in lines)
 
 
 def outline(text: Text, renderer: Any, dpi: float) -> np.ndarray:
@@ -137,7 +147,7 @@ def test_loads_inside_members_are_those_of_the_file() -> None:
         ("rigid_ends", "rigid ends to scale, at most 0.2 m"),
         ("irregular_setback", "hinge: released moment"),
         ("bouc_wen_tuned_mass", "4 t, 1.3 Hz, 10 %"),
-        ("brb_frame", "brb, bay 1: forces × 1.7"),
+        ("brb_frame", "brb, bay 1: core of 1700 mm²"),
         ("devices_of_practice", "play 0.5 mm"),
         ("braced_truss", "rod_1"),
     ],

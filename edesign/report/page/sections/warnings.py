@@ -20,6 +20,7 @@ NAMED = 20
 """Failed analyses that are named here; the others are in the table of all analyses."""
 NONE = "The check of the input and the analyses gave no warnings."
 _WHERE = re.compile(r"(?P<where>[^:;,.()]{1,60}(?:\.[a-z0-9]+(?::[0-9]+){0,2})?): (?P<what>.+)", re.DOTALL)
+_KEY = re.compile(r"[a-z]+[a-z_]*[._[]")
 
 WARNINGS = TableSpec[tuple[str, str]](
     "report_warnings",
@@ -72,4 +73,6 @@ def _apart(line: str) -> tuple[str, str]:
 
 
 def _sentence(text: str) -> str:
-    return f"{text[:1].upper()}{text[1:]}" + ("" if text.endswith((".", "!", "?")) else ".")
+    """A warning as a sentence; the name of a key of the file at its beginning stays."""
+    first = text if _KEY.match(text) else f"{text[:1].upper()}{text[1:]}"
+    return first + ("" if text.endswith((".", "!", "?")) else ".")
