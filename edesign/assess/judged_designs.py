@@ -16,6 +16,7 @@ from edesign.assess.sets import HistorySet
 from edesign.assess.verdicts import Verdict
 from edesign.codes.motion_sets import SetRules
 from edesign.ground_motion.hazard import factor_of_level, rules_in_force
+from edesign.project.dampers.designs import StrainEnergyDesign
 from edesign.project.study.study import Study, own_variant
 
 OF_DESIGN = "design"
@@ -201,7 +202,10 @@ def damping_verdicts(designs: Mapping[str, Group], study: Study) -> tuple[Verdic
         value = float(rounds.values[int(str(design.attributes["chosen_round"])) - 1])
         alone = design.attributes.get("braces_in_target") is False
         of = "the dampers alone" if alone else "dampers and braces"
-        words = f"damping that {of} of design {name} add to the first mode, at least the target"
+        spec = study.designs.get(name)
+        storeys = isinstance(spec, StrainEnergyDesign) and spec.target_in == "storeys"
+        to = "each storey by itself (thesis Eq. 5.9; that of modes differs)" if storeys else "the first mode"
+        words = f"damping that {of} of design {name} add to {to}, at least the target"
         for variant, one in study.variants.items():
             if name in one.designs and variant not in study.derived:
                 met = value >= (1.0 - NEARLY) * limit

@@ -269,7 +269,7 @@ _ALL = (
         "AISC 341-16, F4 and K3; hardening as of Zona & Dall'Asta (2012)",
         False,
         branch=(
-            Parameter("strain", "strain of the core that omega and beta belong to, point", "", upper=1.0, upper_allowed=False),
+            Parameter("strain", "strain of the core of omega and beta, point", "", upper=1.0, upper_allowed=False),
             Parameter("omega", "strain-hardening adjustment factor", "", lower=1.0, lower_allowed=True),
             Parameter("beta", "compression strength adjustment factor", "", lower=1.0, lower_allowed=True),
         ),

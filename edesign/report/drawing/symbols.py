@@ -33,7 +33,8 @@ GREEK = {
 # in texts where a name of a user's may stand: symbols that nobody gives to a member, load case or record
 _SYMBOL = re.compile(
     r"(?<![A-Za-z0-9_])"
-    r"(a_gR|a_g|f_y|gamma_I|gamma_Rd|(?<=gamma_Rd )Omega|T_[BCD1]|G_eq|P_CL|d_t|Q_[A-H]|F_[xyz]|M_[yz]|M_j,Rd|S_j|A_sc|L_wp|P_ysc|[TC]_adj"
+    r"(a_gR|a_g|f_y|gamma_I|gamma_Rd|(?<=gamma_Rd )Omega|T_[BCD1]|G_eq|P_CL|d_t|Q_[A-H]|F_[xyz]|M_[yz]|M_j,Rd|S_j"
+    r"|A_sc|L_wp|P_ysc|[TC]_adj"
     r"|θ_p|theta_p|alpha_[012]|k_mod|c_mod|k_eq|xi(?= \[)|(?<=effective damping )xi"
     # parameters of damper laws, which stand before their values
     r"|(?:[kcf]_[0-9]+|[kc]_[ab]|c_NL|[uv]_ref|F_y|F_ysc|F_r|L_y|R_y|K_d|k_eff|zeta_eff|f_slow|f_fast|alpha_d"

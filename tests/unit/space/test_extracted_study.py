@@ -17,6 +17,7 @@ from edesign.ground_motion.suite import load_suite
 from edesign.project.criteria.criteria import QuantityCriterion
 from edesign.project.dampers.designs import StrainEnergyDesign
 from edesign.project.study.study import Study
+from edesign.study.check.summary import check_study
 from edesign.study.plan.study_plan import verifying_histories
 
 
@@ -83,6 +84,8 @@ def test_the_study_of_a_building_by_ntc_2018(tmp_path: Path) -> None:
     SLV: S_S = 1.4 - 0.4 x 2.364 x 0.261 = 1.1532, T_C = 0.47164 s: 0.261 x 1.1532 x 2.364 x 0.47164 = 0.33558
     SLD: S_S = 1.2 at most,                        T_C = 0.39844 s: 0.104 x 1.2 x 2.332 x 0.39844 = 0.11596
     so that 0.75 % under SLD is 0.75 % x 2.8940 = 2.1705 % under SLV (1e-3: the figures above have five digits).
+    SLC: S_S = 1.4 - 0.4 x 2.4 x 0.334 = 1.0794,   T_C = 0.49006 s: 0.334 x 1.0794 x 2.4 x 0.49006 = 0.42402
+    so that layers have 0.42402 / 0.33558 = 1.26 times the strain of SLV under SLC, far below the 50 % that they bear.
     """
     study = study_of(tmp_path, ntc())
     drift, residual, *_ = study.criteria
@@ -95,6 +98,7 @@ def test_the_study_of_a_building_by_ntc_2018(tmp_path: Path) -> None:
     assert {name: study.base.fitted_level(f"motions_{name}") for name in _STATES} == {n: n for n in _STATES}
     proofs = [(spec.level, spec.record.partition("/")[0]) for spec in verifying_histories(study, "dampers", 1)]
     assert sorted(proofs) == [("SLD", "motions_SLD")] * 7 + [("SLV", "motions_SLV")] * 7
+    assert "thicker than they need to be: under 1.26 times SLV (SLC at T = " in check_study(study)["warnings"]
 
 
 def test_drifts_of_strategic_buildings_are_those_of_slo(tmp_path: Path) -> None:

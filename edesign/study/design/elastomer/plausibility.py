@@ -9,8 +9,8 @@ from edesign.codes.asce7.spectrum import EARTHQUAKES
 from edesign.codes.ec8.action.importance import NEAR_COLLAPSE, NEAR_COLLAPSE_CLAUSE, factor_of_return_period
 from edesign.damper.sizing import largest_damping
 from edesign.errors import InputError
-from edesign.ground_motion.hazard import factor_of_level, national_of
-from edesign.project.actions.hazard import AsceHazard, EC8Hazard
+from edesign.ground_motion.hazard import elastic_spectrum, factor_of_level, national_of
+from edesign.project.actions.hazard import AsceHazard, EC8Hazard, NtcHazard
 from edesign.project.dampers.designs import ElastomerDesign, FixedProperties, StrainEnergyDesign
 from edesign.project.reading.words import percent
 from edesign.study.design.elastomer.distribution import nearest_scale
@@ -176,7 +176,7 @@ def _too_thick(model: ElastomerModel, sizing: ElastomerSizing, largest: float, r
         largest: largest strain of the layers at the level of the design.
         reached: effective strain of the layers at the level of the design.
     """
-    spec, above = model.spec, _rarest(model)
+    spec, above = model.spec, _rarest(model, 1.0 / sizing.frequency)
     if spec.strain_limit is None or above is None or above[0] * largest >= spec.strain_limit:
         return
     limit, (factor, source) = spec.strain_limit, above
@@ -196,10 +196,16 @@ def _too_thick(model: ElastomerModel, sizing: ElastomerSizing, largest: float, r
         )
 
 
-def _rarest(model: ElastomerModel) -> tuple[float, str] | None:
+def _rarest(model: ElastomerModel, T: float) -> tuple[float, str] | None:
     """The rarest action of the study's code over that of the design's level, and its source; None: it has none.
 
-    Source: ASCE/SEI 7-16, 11.4.5, whose design spectrum is 2/3 of the largest considered one; EN 1998-1:2004, 2.1(4).
+    Limit states of NTC 2018 have spectra of their own shapes; displacements are compared at the period with dampers.
+
+    Args:
+        T: period of the first mode with dampers, s.
+
+    Source: ASCE/SEI 7-16, 11.4.5, whose design spectrum is 2/3 of the largest considered one; EN 1998-1:2004, 2.1(4);
+        NTC 2018, 3.2.1: SLC.
     """
     hazard, level = model.building.project.hazard, model.spec.level
     if hazard is None or level is None:
@@ -211,6 +217,12 @@ def _rarest(model: ElastomerModel) -> tuple[float, str] | None:
         k = national.hazard_exponent if hazard.k is None else hazard.k
         rarest = factor_of_return_period(NEAR_COLLAPSE, national.reference_return_period, k)
         source = NEAR_COLLAPSE_CLAUSE
+    elif isinstance(hazard, NtcHazard):
+        rare = next((name for name, of in hazard.levels.items() if of.limit_state == "SLC"), None)
+        if rare is None:
+            return None
+        there, here = (float(elastic_spectrum(hazard, name).displacement(T)) for name in (rare, level))
+        return max(there / here, 1.0), f"{rare} at T = {T:.3g} s, NTC 2018, 3.2.1"
     else:
         return None
     return max(rarest / factor_of_level(hazard, level), 1.0), source
