@@ -15,6 +15,9 @@ from edesign.project.actions.loads import BeamLoad, ColumnLoad, Combination, Flo
 from edesign.project.notation import names
 from edesign.project.project import Project
 
+_AT = 1e-6
+"""Share of a length within which a point load stands at a place."""
+
 
 def combined(load: BeamLoad | FloorLoad | ColumnLoad | NodeLoad | PointOnMember, factors: Combination) -> float:
     """Return factors.G * G + factors.Q * Q of a load, positive downwards.
@@ -172,6 +175,16 @@ class MemberLoads:
             ended = at_last * behind**2 / 2.0 + slope * behind**3 / 6.0
             moments -= length**2 * (begun - ended)
         return moments
+
+    def before(self, x: np.ndarray, length: float) -> tuple[np.ndarray, np.ndarray]:
+        """Return the loads from the start to shares x of the length, N, without and with points that stand there."""
+        found = self.uniform * x * length
+        for first, last, at_first, at_last in self.parts:
+            reached = np.clip(x, first, last) - first
+            found = found + length * (at_first + 0.5 * (at_last - at_first) / (last - first) * reached) * reached
+        points = [np.multiply.outer(force, (x - at > -_AT, x - at > _AT)) for at, force in self.points]
+        with_them, without = np.sum([np.zeros((2, x.size)), *points], axis=0)
+        return found + without, found + with_them
 
 
 def _within(position: float, begin: float, end: float) -> float:

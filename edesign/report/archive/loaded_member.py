@@ -39,6 +39,7 @@ from edesign.space.checks.member_checks import LARGEST_PLASTIC_CLASS
 from edesign.study.results.checked_members import CheckedMember, checked_members
 
 USES = ("section_use", "member_use", "brace_use")
+_LOADED, _SHEARED = "member_load_moment", ("member_load_shear_before", "member_load_shear_behind")
 SECTION_CHECKS = (Check.N_M, Check.V_Y, Check.V_Z)
 
 
@@ -95,7 +96,7 @@ CONCURRENT = TableSpec[_Place](
             for force in ("N", "V_y", "V_z", "M_y", "M_z")
         ),
     ),
-    notes=("N positive in tension; V between the ends: on the line between theirs",),
+    notes=("N positive in tension",),
     each="Concurrent forces",
 )
 
@@ -116,6 +117,7 @@ class Followed:
         forces: along the member.
         known: places of these that are of one step.
         axial: what is to be known of the axial force; "" nothing.
+        shear: likewise of the shear between the ends.
         steps: of the calculation, which leads to the archived use; none if it does not.
     """
 
@@ -130,6 +132,7 @@ class Followed:
     forces: ForcesAlong
     known: slice
     axial: str
+    shear: str
     steps: tuple[Step, ...]
 
 
@@ -155,6 +158,7 @@ def loaded_member_tables(archive: Archive, name: str, analysis: str | None = Non
         for place, forces in zip(along.stations[known], along.steady[known].tolist(), strict=True)
     ]
     told = [followed.axial] if followed.axial else []
+    told += [followed.shear] if len(places) > 2 and followed.shear else []
     told += [] if len(places) > 1 else ["The other end has its largest use in another step."]
     forces = CONCURRENT.of(
         places, whose=name, history=followed.history, at=at, notes=wrapped(" ".join(told)) if told else []
@@ -215,6 +219,15 @@ def _axial(group: Group, name: str, forces: ForcesAlong) -> str:
     if "collector" in group.coords or not {"damper", "brace"} & {*group.coords}:
         return "N = 0: neither damper nor brace meets the line of this beam, and its floor is rigid."
     return "N = 0: forces that a beam of a rigid floor collects from dampers and braces are not in this archive."
+
+
+def _shear(group: Group) -> str:
+    """How shear between the ends was found."""
+    if _SHEARED[0] in group.variables:
+        return "V between the ends with the loads there, at a point load that of its larger side."
+    if _LOADED in group.variables:
+        return "V between the ends on the line between theirs: the archive is of a version that kept no more."
+    return ""
 
 
 def _of_member(archive: Archive, name: str, analysis: str | None) -> tuple[list[_Row], Followed]:
@@ -314,6 +327,7 @@ def follow(file: AnalysisFile, group: Group, history: str, name: str) -> Followe
         forces,
         known,
         _axial(group, name, forces),
+        _shear(group),
         tuple(trace.steps) if same else (),
     )
 
@@ -329,10 +343,8 @@ def _forces(member: CheckedMember, group: Group, quantity: str, at: int) -> Forc
         steady[:, 0] = _of(group, "brace_use_axial_force")[at]
         return ForcesAlong(STATIONS, steady, np.zeros_like(steady))
     N, V, M = (_of(group, f"{quantity}_{part}")[at] for part in ("axial_force", "shear_force", "bending_moment"))
-    inside = (
-        _of(group, "member_load_moment")[at] if "member_load_moment" in group.variables else np.zeros(STATIONS.size)
-    )
-    V, M, inside = (of.reshape(len(of), -1) for of in (V, M, inside))
+    V, M = (of.reshape(len(of), -1) for of in (V, M))
+    inside, before, behind = (_inside(group, name, at, M.shape[1]) for name in (_LOADED, *_SHEARED))
     axes = ("y", "z") if V.shape[1] == 2 else ("z",) if member.weak else ("y",)
     along = {"y": "V_z", "z": "V_y"}
     steady[:, 0] = _between(N)
@@ -342,10 +354,19 @@ def _forces(member: CheckedMember, group: Group, quantity: str, at: int) -> Forc
         first, second = (_between(np.array(half)) for half in halves)
         steady[:, 0] = np.where(STATIONS < 0.5, first, np.where(STATIONS > 0.5, second, np.minimum(first, second)))
     for i, axis in enumerate(axes):
-        load = inside[:, i] if inside.shape[1] > i else 0.0
-        steady[:, FORCES.index(f"M_{axis}")] = _between(M[:, i]) + load
-        steady[:, FORCES.index(along[axis])] = _between(V[:, i])
+        steady[:, FORCES.index(f"M_{axis}")] = _between(M[:, i]) + inside[:, i]
+        sides = _between(V[:, i]) + before[:, i], _between(V[:, i]) + behind[:, i]
+        steady[:, FORCES.index(along[axis])] = np.where(np.abs(sides[0]) >= np.abs(sides[1]), *sides)
     return ForcesAlong(STATIONS, steady, np.zeros_like(steady))
+
+
+def _inside(group: Group, name: str, at: int, axes: int) -> np.ndarray:
+    """What loads inside a member add at `STATIONS`, (stations, axes); 0 if the archive does not have it."""
+    return (
+        _of(group, name)[at].reshape(STATIONS.size, axes)
+        if name in group.variables
+        else np.zeros((STATIONS.size, axes))
+    )
 
 
 def _between(ends: np.ndarray) -> np.ndarray:

@@ -175,48 +175,48 @@ def _bare(section: SteelSection, fy: float, number: int) -> SteelMember:
     return SteelMember(section, fy, Stability(0.0, 0.0, 0.0), number, gamma_M0=1.0)
 
 
-def moments_inside(file: AnalysisFile, frame: FrameModel, names: Sequence[str]) -> np.ndarray:
-    """Return what loads of the gravity combination inside members add to the line between the moments at their ends.
+def loads_inside(file: AnalysisFile, frame: FrameModel, names: Sequence[str]) -> tuple[np.ndarray, np.ndarray]:
+    """Return what loads of the gravity combination inside members add to lines between the forces at their ends.
 
     Args:
         names: of columns and beams.
 
     Returns:
-        (n, stations, axes) N m at `STATIONS` of the part that bends: about y and z in space; positive as in the middle
-        of a beam under loads downwards.
+        Moments, (n, stations, axes) N m at `STATIONS` of the part that bends: about y and z in space; positive as in
+        the middle of a beam under loads downwards. Shear that goes with each of them, (2, n, stations, axes) N: before
+        and behind point loads that stand there.
     """
     if isinstance(file, Building):
         whole = space_frame(file)
         number, loads = {member.name: at for at, member in enumerate(whole.members)}, gravity_loads(file, whole)
-        return np.array(
-            [
-                _in_axes(loads.uniform[at], loads.points.get(at, ()), float(whole.length[at]))
-                for at in (number[name] for name in names)
-            ]
-        ).reshape(len(names), STATIONS.size, 2)
+        own = (
+            (loads.uniform[at], loads.points.get(at, ()), float(whole.length[at]))
+            for at in (number[name] for name in names)
+        )
+        moments, shears = np.zeros((len(names), STATIONS.size, 2)), np.zeros((2, len(names), STATIONS.size, 2))
+        for at, (uniform, points, length) in enumerate(own):
+            for axis, across, sign in ((0, 2, 1.0), (1, 1, -1.0)):
+                on = MemberLoads(float(uniform[across]), [(place, float(force[across])) for place, force in points])
+                moments[at, :, axis], shears[:, at, :, axis] = _within_ends(on, (0.0, 1.0), length)
+                moments[at, :, axis] *= sign
+        return moments, shears
     assert isinstance(file, Project)
     of_beams, of_columns = beam_loads(file, file.loads.gravity), column_loads(file, file.loads.gravity)
-    found = np.zeros((len(names), STATIONS.size, 1))
+    moments, shears = np.zeros((len(names), STATIONS.size, 1)), np.zeros((2, len(names), STATIONS.size, 1))
     for at, name in enumerate(names):
         load = of_beams.get(name) or (MemberLoads(of_columns[name]) if name in of_columns else None)
         if load is not None:
             stretches = frame.members[name].bending_stretches
-            begin, end = stretches.places[0], stretches.places[-1]
-            moments = load.moments(begin + STATIONS * (end - begin), stretches.length)
-            found[at, :, 0] = moments - (1.0 - STATIONS) * moments[0] - STATIONS * moments[-1]
-    return found
+            ends = stretches.places[0], stretches.places[-1]
+            moments[at, :, 0], shears[:, at, :, 0] = _within_ends(load, ends, stretches.length)
+    return moments, shears
 
 
-def _in_axes(uniform: np.ndarray, points: Sequence[tuple[float, np.ndarray]], length: float) -> np.ndarray:
-    """Moments about y and z that loads inside give a simply supported member at `STATIONS`, (n, 2) N m.
-
-    Args:
-        uniform: (3,) in the axes of the member, N/m.
-        points: place as a share of the length, and force, (3,) N.
-        length: m.
-    """
-    shape = np.multiply.outer(0.5 * STATIONS * (1.0 - STATIONS) * length**2, uniform)
-    for position, force in points:
-        nearer = np.minimum(STATIONS * (1.0 - position), position * (1.0 - STATIONS))
-        shape = shape + np.multiply.outer(nearer * length, force)
-    return np.stack([shape[:, 2], -shape[:, 1]], axis=1)
+def _within_ends(load: MemberLoads, ends: tuple[float, float], length: float) -> tuple[np.ndarray, np.ndarray]:
+    """Moments and shears of loads at `STATIONS` between two shares of the length, beside lines between both ends."""
+    x = ends[0] + STATIONS * (ends[1] - ends[0])
+    moments, (before, behind) = load.moments(x, length), load.before(x, length)
+    line = (1.0 - STATIONS) * behind[0] + STATIONS * before[-1]
+    shears = np.stack((before, behind)) - line
+    shears[:, [0, -1]] = 0.0
+    return moments - (1.0 - STATIONS) * moments[0] - STATIONS * moments[-1], shears

@@ -16,7 +16,7 @@ from edesign.frame.sections.section_class import section_class
 from edesign.project.analysis_file import AnalysisFile
 from edesign.space.analysis.response import STATIONS
 from edesign.space.checks.member_checks import LARGEST_CLASS
-from edesign.study.results.checked_members import CheckedMember, checked_members, moments_inside
+from edesign.study.results.checked_members import CheckedMember, checked_members, loads_inside
 from edesign.study.results.collectors import Collectors
 from edesign.study.results.coordinates import bending_members
 from edesign.study.results.dampers import DamperSpeeds
@@ -84,8 +84,9 @@ class MemberUse:
         self._of_members = Buckling(members, (True, False)) if found.stability and members else None
         self._member_use = Largest((len(members),), 2 * width + 2)
         self._load_moments = np.zeros((len(names), STATIONS.size, self._axes))
+        self._load_shears = np.zeros((2, *self._load_moments.shape))
         if self._of_members is not None:
-            self._load_moments = moments_inside(file, frame, names)
+            self._load_moments, self._load_shears = loads_inside(file, frame, names)
         self._collectors = Collectors(frame)
         if self._collectors.quantity is not None and across is None:  # it is watched once, for beams
             self.own = (self._collectors.quantity,)
@@ -268,8 +269,11 @@ class MemberUse:
             coordinate(group, "station", STATIONS, "1", "place on the member over its length from the start")
             dims = (*by_axis_of(self._dims),)
             label = "moment that gravity loads inside add to the line between the moments at both ends"
-            values = self._load_moments if len(dims) == 3 else self._load_moments[..., 0]
-            group.add("member_load_moment", dims, values.astype(SINGLE), "N*m", label)
+            axes = ... if len(dims) == 3 else (..., 0)
+            group.add("member_load_moment", dims, self._load_moments[axes].astype(SINGLE), "N*m", label)
+            for side, shears in zip(("before", "behind"), self._load_shears, strict=True):
+                label = f"shear that gravity loads inside add to the line between both ends, {side} points at the place"
+                group.add(f"member_load_shear_{side}", dims, shears[axes].astype(SINGLE), "N", label)
 
 
 def by_axis_of(dims: tuple[str, ...]) -> tuple[str, ...]:

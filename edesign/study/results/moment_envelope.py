@@ -10,7 +10,7 @@ from edesign.archive.dataset import Group
 from edesign.frame.frame_model import FrameModel
 from edesign.project.analysis_file import AnalysisFile
 from edesign.space.analysis.response import STATIONS
-from edesign.study.results.checked_members import moments_inside
+from edesign.study.results.checked_members import loads_inside
 from edesign.study.results.coordinates import bending_members
 from edesign.study.results.recording import SINGLE, Quantity, coordinate
 
@@ -31,7 +31,7 @@ class MomentEnvelope:
     own: tuple[Quantity, ...] = ()
 
     def __init__(self, file: AnalysisFile, frame: FrameModel) -> None:
-        self._loads = moments_inside(file, frame, [member.name for member in bending_members(frame)])[..., 0]
+        self._loads = loads_inside(file, frame, [member.name for member in bending_members(frame)])[0][..., 0]
         self._max = np.full(self._loads.shape, -np.inf)
         self._min = np.full(self._loads.shape, np.inf)
 

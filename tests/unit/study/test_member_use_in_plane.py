@@ -212,6 +212,17 @@ def test_a_brace_by_hand() -> None:
     np.testing.assert_array_equal(group.variables["brace_use_at"].values, [1.0, 0.0])
 
 
+def test_shear_between_the_ends_of_a_beam_by_hand() -> None:
+    """w = 20 kN/m over 6 m and 30 kN at 2 m: V(x) = V(0) + 20 x, and 30 kN more behind 2 m; M falls by its area."""
+    file = project()
+    along = follow(file, run_analysis(file, file.analyses[0]), "gravity", "B_1_1").forces
+    V, M = (along.steady[:, FORCES.index(force)] for force in ("V_z", "M_y"))
+    behind = V[0] + 1e3 * np.array([0.0, 20.0, 70.0, 90.0, 110.0, 130.0, 150.0])
+    before = behind - 30e3 * (np.arange(7) == 2)
+    np.testing.assert_allclose(V, np.where(np.abs(before) > np.abs(behind), before, behind), atol=1.0)
+    np.testing.assert_allclose(np.diff(M), -0.5 * (behind[:-1] + before[1:]), atol=1.0)  # stations are 1 m apart
+
+
 def test_extremes_of_moments_inside_members() -> None:
     """By the moments that the history keeps at both ends: a line between them, plus that of a simple beam.
 
