@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -150,7 +150,8 @@ def loaded_member_tables(archive: Archive, name: str, analysis: str | None = Non
     rows, followed = _of_member(archive, name, analysis)
     said = ["Use: by the rule of the code over several motions."] if any(row.number > 1 for row in rows) else []
     said += ["Below: the analysis with the largest; another one by --analysis."] if len(rows) > 1 else []
-    notes = wrapped(" ".join([*said, *_elastic(archived_frame(archive), name)]))
+    said += [*_elastic(archived_frame(archive), name), *_parts(archive, name)]
+    notes = wrapped(" ".join(said))
     at = f"{followed.at:.4g} {followed.unit}".strip()
     known, along = followed.known, followed.forces
     places = [
@@ -197,7 +198,8 @@ def loaded_member_data(archive: Archive, name: str, analysis: str | None = None)
 
 def _elastic(frame: Project | None, name: str) -> Iterator[str]:
     """What the elastic design of the building found for a member, in words."""
-    of = None if frame is None or frame.design is None else frame.design.elastic_use.get(name)
+    uses = {} if frame is None or frame.design is None else frame.design.elastic_use
+    of = uses.get(name) or uses.get(name.rpartition("_")[0])  # half of a beam
     if of is None:
         return
     yield f"In the elastic design of the building {of.use:.2f} by {of.check} under {of.combination}."
@@ -206,6 +208,23 @@ def _elastic(frame: Project | None, name: str) -> Iterator[str]:
             f"It belongs to the bracing of {', '.join(of.across.frames)}, where the seismic action across adds "
             f"{of.across.N / 1e3:.4g} kN of compression, which is not in these uses."
         )
+
+
+def _parts(archive: Archive, name: str) -> Iterator[str]:
+    """Where dampers halve a beam that is whole in other variants, or where a beam is whole of which this is a half."""
+    if member_kind(name) != "beam":
+        return
+    whole, _, half = name.rpartition("_")
+    found: dict[tuple[str, ...], list[str]] = {}
+    for group in all_results(archive).values():
+        there = {str(one) for one in group.coords["member"].values} if "member" in group.coords else set()
+        others = (f"{name}_1", f"{name}_2"), (whole,) if half in ("1", "2") else ()
+        for beams in filter(None, others):
+            if name not in there and there.issuperset(beams):
+                found.setdefault(beams, []).append(str(group.attributes.get("variant") or "an analysis without"))
+    for beams, variants in found.items():
+        where = ", ".join(dict.fromkeys(variants))
+        yield f"In {where} it is {' and '.join(beams)}." if len(beams) > 1 else f"In {where} {whole} is not halved."
 
 
 def _axial(group: Group, name: str, forces: ForcesAlong) -> str:
@@ -310,6 +329,7 @@ def follow(file: AnalysisFile, group: Group, history: str, name: str) -> Followe
         member.plastic.section, member.plastic.fy, -compression, about_y, both or (bends and member.weak)
     )
     steel = member.plastic if of_class.number <= LARGEST_PLASTIC_CLASS else member.elastic
+    steel = replace(steel, section_class=of_class.number)  # one of class 1 is checked as one of class 2
     found = {check: utilisation(steel, forces, check.name, station) or 0.0 for check in checks}
     check = max(found, key=found.__getitem__)
     trace, archived = Trace(), float(use[end])

@@ -6,7 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
+from edesign.archive.writer import ArchiveWriter
 from edesign.assess.member_uses import loaded_members
 from edesign.assess.sets import HistorySet
 from edesign.codes.ec8.action.accelerograms import SET_RULES
@@ -14,6 +16,7 @@ from edesign.errors import InputError
 from edesign.project import load_project
 from edesign.report.archive.loaded_member import loaded_member_data, loaded_member_tables
 from edesign.report.archive.tables import overview
+from edesign.study.results.recording import coordinate
 from edesign.study.run.run import run_project
 
 FRAME = """\
@@ -52,6 +55,11 @@ def test_a_calculation_leads_to_the_archived_use(archive: Path) -> None:
             largest = max(float(value) for value in uses.column("largest"))  # type: ignore[arg-type]
             data = loaded_member_data(opened, name, "gravity")
             assert data["analysis"] == "gravity" and float(str(data["utilisation"])) <= largest
+            classes = [row[-1] for row in worked.texts if row[0] == "class"]
+            assert classes in (
+                [],
+                ["1"],
+            )  # c/t of HEB200 8.4 and 14.9, of IPE300 4.9 and 35, within 9 and 33 to 72 epsilon
             last = data["calculation"][-1]  # type: ignore[index]
             assert last["value"] == pytest.approx(data["utilisation"], rel=1e-6)
 
@@ -99,6 +107,22 @@ def test_one_brace_of_a_cross_takes_the_force_of_both(tmp_path: Path) -> None:
     assert row.N == pytest.approx(both, rel=1e-9) and row.use * 404e3 == pytest.approx(both, rel=5e-3)
     assert uses.column("tension") == [0.0] and float(str(forces.column("N")[0])) == pytest.approx(row.N)
     assert worked.rows
+
+
+def test_a_beam_that_dampers_halve_in_a_variant(archive: Path, tmp_path: Path) -> None:
+    """Beside its uses it is told where it is two halves; with a half where the beam is whole."""
+    with open_archive(archive) as opened, ArchiveWriter(tmp_path / "both.h5", opened.view()) as writer:
+        whole = opened.group("analyses/gravity")
+        whole.attributes["variant"] = "bare"
+        writer.write("analyses/bare.gravity", whole)
+        halves = opened.group("analyses/gravity")
+        halved = Group(attributes=halves.attributes | {"variant": "brb"})
+        coordinate(halved, "member", ["C_A_1", "B_1_1_1", "B_1_1_2"], "", "member")
+        writer.write("analyses/brb.gravity", halved)
+        writer.finish()
+    with open_archive(tmp_path / "both.h5") as opened:
+        (uses, *_) = loaded_member_tables(opened, "B_1_1")
+    assert " ".join(uses.notes).endswith("In brb it is B_1_1_1 and B_1_1_2.")
 
 
 def test_names_that_are_not_there(archive: Path) -> None:
