@@ -96,7 +96,8 @@ def rule_of(found: HistorySet, rules: SetRules) -> str:
 
 def in_words(rules: SetRules) -> str:
     """Return the code of rules, and its clause on the mean of the responses."""
-    return ", ".join(part for part in (rules.code, rules.clauses.use) if part)
+    clause = rules.clauses.use
+    return clause if clause.startswith(rules.code) else ", ".join(part for part in (rules.code, clause) if part)
 
 
 def loaded_members(found: HistorySet, rules: SetRules) -> list[LoadedMember]:

@@ -25,8 +25,8 @@ from edesign.space.archived import IMPERFECTION
 
 SAME = 1e-6
 """Share by which a calculation may miss the utilisation: above rounding, below the digits that are shown."""
-NOTHING = 1e-5
-"""Of the largest force or moment of a table: what is less is shown as 0."""
+NOTHING = 1e-4
+"""Of the largest force or moment of a table, the last of its four digits: what is less is shown as 0."""
 
 
 def _shown(step: Step) -> Value:
@@ -51,7 +51,13 @@ CALCULATION = TableSpec[Step](
 CHECKS = TableSpec[dict[str, Value]](
     "checks",
     "{whose}: checks",
-    (text("check"), col("use", ONE, digits=3), count("combination"), col("x / L", ONE, form=".3g"), text("clause")),
+    (
+        text("check"),
+        col("use", ONE, digits=3, negligible=ROUNDING),
+        count("combination"),
+        col("x / L", ONE, form=".3g"),
+        text("clause"),
+    ),
     each="Checks",
 )
 FORCES = TableSpec[dict[str, Value]](

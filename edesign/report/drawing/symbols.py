@@ -10,7 +10,7 @@ GREEK = {
     "beta": "β",
     "gamma": "γ",
     "chi": "χ",
-    "lambda": "λ\N{COMBINING MACRON}",
+    "lambda": "λ",
     "mu": "μ",
     "epsilon": "ε",
     "zeta": "ζ",
@@ -28,7 +28,9 @@ GREEK = {
     "Omega": "Ω",
     "sum": "Σ",
 }
-"""Letters by their names; the slenderness has its bar."""
+"""Letters by their names."""
+SLENDERNESS = "λ\N{COMBINING MACRON}"
+"""The lambda of EN 1993-1-1 that has an index; one without is that of a lateral force or of a law."""
 
 # in texts where a name of a user's may stand: symbols that nobody gives to a member, load case or record
 _SYMBOL = re.compile(

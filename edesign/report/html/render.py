@@ -13,7 +13,7 @@ from itertools import groupby
 from markupsafe import Markup, escape
 
 from edesign._version import __version__
-from edesign.report.drawing.symbols import GREEK, in_parts, with_indices_of_laws
+from edesign.report.drawing.symbols import GREEK, SLENDERNESS, in_parts, with_indices_of_laws
 from edesign.report.html.section import Part, Section, Viewer
 from edesign.report.html.shared_styles import share_styles
 from edesign.report.tables.table import Table, state_of
@@ -174,7 +174,7 @@ def _raised(found: re.Match[str]) -> str:
 
 def _indexed(found: re.Match[str]) -> str:
     name, index = found[1], found[2]
-    name = GREEK.get(name, name)
+    name = SLENDERNESS if name == "lambda" and index else GREEK.get(name, name)
     return f"{name}<sub>{index}</sub>" if index else name
 
 

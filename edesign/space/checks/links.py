@@ -245,7 +245,7 @@ def link_criteria(of: Sequence[Link], overstrength: float) -> list[RuleCheck]:
     for clause, text, value, unit, detail in (
         ("6.8.2(8)", f"links by their length, {axis}", float(len(of)), "", told),
         ("6.8.2(11)", f"stiffeners between the ends of a link, most, {axis}", *_stiffened(of)),
-        ("6.8.2(14)", f"lateral support of both flanges at the ends of links, {axis}, N", lateral, "N", at),
+        ("6.8.2(14)", f"lateral support of both flanges at the ends of links, {axis}, kN", lateral / 1e3, "kN", at),
         ("6.8.4(1)", f"1.1 gamma_ov Omega_i on E_d,E of connections of links, most, {axis}", factor, "", of_link),
     ):
         found.append(RuleCheck(clause, text, None, value, unit, None, detail))

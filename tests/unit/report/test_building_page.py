@@ -162,6 +162,8 @@ def test_spectra_of_the_archive_are_those_of_the_design(
     [
         ("chi_y A f_y / gamma_M1", "χ<sub>y</sub> A f<sub>y</sub> / γ<sub>M1</sub>"),
         ("sqrt(A f_y / N_cr,T)", "√(A f<sub>y</sub> / N<sub>cr,T</sub>)"),
+        ("lambda_y <= 0.2", "λ̄<sub>y</sub> ≤ 0.2"),
+        ("F_b = m lambda", "F<sub>b</sub> = m λ"),
         ("pi^2 E I_z / L_LT^2", "π<sup>2</sup> E I<sub>z</sub> / L<sub>LT</sub><sup>2</sup>"),
         ("0.5 x 2 +- 3 <= 1", "0.5 × 2 ± 3 ≤ 1"),
         ("mass x [%]", "mass x [%]"),

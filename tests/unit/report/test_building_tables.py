@@ -17,6 +17,7 @@ from edesign.archive.reader import Archive, open_archive
 from edesign.cli.main import main
 from edesign.errors import ArchiveError, InputError
 from edesign.frame.building_file import load_building
+from edesign.report.building.checks import CHECKS
 from edesign.report.building.results import BuildingResults
 from edesign.report.building.tables.all import building_tables
 from edesign.report.building.tables.combinations import combinations_table, sway_table
@@ -170,3 +171,8 @@ def test_sway_of_combinations_that_are_alike_stands_in_one_row(tmp_path: Path) -
         assert int(str(rows[name][1])) == len(several)
         assert float(str(rows[name][at])) == pytest.approx(float(alpha[numbers].min()), rel=5e-3)  # three digits
         assert float(str(rows[name][at + 4])) == pytest.approx(1.0 / float(phi[numbers].max()), rel=5e-3)
+
+
+def test_noise_of_doubles_is_0_in_checks() -> None:
+    row = {"check": "V_Y", "use": 6.78e-18, "combination": 71, "x / L": 0.0, "clause": "EN 1993-1-1, 6.2.6"}
+    assert CHECKS.of([row], whose="BY_A_2_1_2").texts[0][1] == "0"

@@ -6,9 +6,11 @@ import numpy as np
 import pytest
 
 from edesign.archive.dataset import Group
-from edesign.assess.member_uses import beam_forces, loaded_members, support_forces
+from edesign.assess.member_uses import beam_forces, in_words, loaded_members, support_forces
 from edesign.assess.quantities import located_quantity
 from edesign.assess.sets import HistorySet, history_sets
+from edesign.codes.ec8.action.accelerograms import SET_RULES
+from edesign.codes.ntc2018.accelerograms import ULTIMATE
 from edesign.codes.registry import find_code
 from edesign.frame.sections.building_sections import BuildingSections
 from edesign.project.criteria.criteria import QuantityCriterion
@@ -198,3 +200,8 @@ def test_axial_forces_of_beams_for_their_connections() -> None:
     group.variables["member_axial_force_max"].values[2] = [0.0, 7e5]
     (beam,) = beam_forces(found, EC8)
     assert beam.start == pytest.approx((30e3, 30e3)) and beam.end == pytest.approx((160e3, 60e3))
+
+
+def test_the_clause_on_means_has_its_code_once() -> None:
+    assert in_words(ULTIMATE) == "NTC 2018, 7.3.5"
+    assert in_words(SET_RULES) == "EN 1998-1:2004, 4.3.3.4.3(3)"

@@ -109,6 +109,8 @@ def test_rules_of_a_link_by_hand(split_k: ElasticDesign) -> None:
     assert 0.0 < d_e < split_k.storeys["x"].drift[0]
     assert link.theta_p == pytest.approx(plastic * 6.0 / 0.6, rel=1e-9) and link.theta_pR == 0.08
     assert link.lateral == pytest.approx(0.06 * 275e6 * 0.18 * 0.0135, rel=1e-4)
+    (told,) = (rule for rule in link_criteria([link], 1.25) if rule.clause == "6.8.2(14)")
+    assert told.text.endswith("kN") and told.value == pytest.approx(40.1, rel=1e-3)
 
 
 def test_braces_and_columns_take_what_links_give(split_k: ElasticDesign) -> None:
