@@ -20,6 +20,7 @@ from edesign.report.tables.table import Table, state_of
 from edesign.report.tables.visible import visible
 
 LONG = 34  # characters, from which a cell is broken into lines
+CROWDED, SHORT = 8, 22  # columns, from which a table is set closer (page.html), and its cells broken from so many
 
 _BRACKETED = re.compile(r"(\[[^\[\]]*\])$")  # the unit at the end of a head
 _SIGNS = ((" -&gt; ", " → "), ("m/s2", "m/s²"), ("degC", "°C"), ("N*m", "N·m"), ("N*s", "N·s"), ("N*(", "N·("))
@@ -191,8 +192,9 @@ def alignments(table: Table) -> list[str]:
     """Return the alignment of each column: numbers to the right, words to the left, long texts in lines."""
     texts = table.texts
     found = []
+    longest = SHORT if len(table.columns) > CROWDED else LONG
     for i, column in enumerate(table.columns):
-        if any(len(row[i]) > LONG and " " in row[i] for row in texts):
+        if any(len(row[i]) > longest and " " in row[i] for row in texts):
             found.append("long")
         else:
             found.append("right" if column.numeric and i >= table.keys else "text")
