@@ -216,11 +216,6 @@ class BeamForces:
     start: tuple[float, float]
     end: tuple[float, float]
 
-    @property
-    def largest(self) -> float:
-        """The largest of them, N."""
-        return max(*self.start, *self.end)
-
 
 def beam_forces(found: HistorySet, rules: SetRules) -> list[BeamForces]:
     """Return the axial forces of the beams that collect those of dampers and braces under the histories of a set."""

@@ -93,10 +93,13 @@ class AcrossBracing(Model):
         frames: their names in the building.
         N: axial force that the seismic action across brings to the column where the one along this frame leads, with
             its factor in that combination.
+        V: vertical reaction of the support below a column of the first storey, likewise, with gamma_Rd Omega of
+            foundations.
     """
 
     frames: Annotated[tuple[str, ...], Field(min_length=1)]
     N: PositiveForce
+    V: PositiveForce | None = None
 
 
 class ElasticUse(Model):

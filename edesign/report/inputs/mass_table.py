@@ -16,6 +16,8 @@ from edesign.report.tables.unit import KN, M, T
 
 SAME = 0.01
 """Share by which weight and mass times g may differ before it is said."""
+ROUNDING = 1e-9
+"""Share by which sums differ that are made in another order, as those of beams with a node in the middle."""
 
 FLOORS = TableSpec[Row](
     "floor_masses",
@@ -37,7 +39,9 @@ def mass_tables(frames: VariantFrames) -> list[Table]:
             return []  # a building has a table of its own
         mass, weight = _floors_of(project, frames.frame(variant))
         if mass.any():
-            alike.setdefault(tuple(zip(mass.tolist(), weight.tolist(), strict=True)), []).append(variant)
+            own = tuple(zip(mass.tolist(), weight.tolist(), strict=True))
+            same = next((of for of in alike if np.allclose(of, own, rtol=ROUNDING, atol=0.0)), own)
+            alike.setdefault(same, []).append(variant)
     tables = []
     for floors, variants in alike.items():
         of = f", {', '.join(variants)}" if len(alike) > 1 else ""

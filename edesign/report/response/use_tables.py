@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
+from operator import attrgetter
 from types import MappingProxyType
 
 from edesign.assess.member_uses import (
@@ -118,8 +119,6 @@ BEAMS = TableSpec[BeamForces](
     ),
     keys=2,
     each="Axial forces at the ends of beams that collect those of dampers and braces",
-    most=MOST,
-    cut="The first {shown} of {all}.",
     notes=("T, C: largest tension and compression, for the connections of the beams, without overstrength.",),
 )
 ELASTIC = TableSpec[_Beside](
@@ -200,10 +199,6 @@ class _Uses:
         return max((one.tension for one in self.members if one.kind == "column"), default=None)
 
 
-def _by_size(one: BeamForces) -> float:
-    return -one.largest
-
-
 def _order(one: _Use) -> float:
     return -one.member.use
 
@@ -260,7 +255,7 @@ def use_tables(
             notes = wrapped(ACROSS) if any(one.N is not None for one in beside) else []
             yield ELASTIC.of(beside, whose=label(uses.found), notes=notes)
         if beams := beam_forces(uses.found, uses.rules):
-            yield BEAMS.of(sorted(beams, key=_by_size), whose=label(uses.found))
+            yield BEAMS.of(sorted(beams, key=attrgetter("storey")), whose=label(uses.found))
         if beyond := [one for kind in KINDS for one in uses.beyond(kind)]:
             yield BEYOND.of(beyond, whose=label(uses.found), without=without)
 

@@ -450,7 +450,9 @@ class _ProjectText:
                 continue
             across = ""
             if of.across is not None:
-                across = f", across: {{frames: [{', '.join(of.across.frames)}], N: {value(_kilo(of.across.N), 'kN')}}}"
+                forces = {"N": of.across.N} | ({} if of.across.V is None else {"V": of.across.V})
+                told = ", ".join(f"{symbol}: {value(_kilo(force), 'kN')}" for symbol, force in forces.items())
+                across = f", across: {{frames: [{', '.join(of.across.frames)}], {told}}}"
             of_combination = f"combination: {yaml_text(of.combination)}"
             text.append(f"    {name}: {{use: {of.use:g}, check: {of.check}, {of_combination}{across}}}")
         return text if len(text) > 1 else []

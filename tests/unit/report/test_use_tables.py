@@ -14,6 +14,7 @@ from edesign.codes.ntc2018.accelerograms import ULTIMATE
 from edesign.codes.registry import find_code
 from edesign.frame.sections.building_sections import BuildingSections
 from edesign.project.criteria.criteria import QuantityCriterion
+from edesign.project.frame.member_design import FrameDesign
 from edesign.project.loader import parse_project
 from edesign.report.response.support_tables import support_tables
 from edesign.report.response.use_tables import use_in_short, use_tables
@@ -108,6 +109,22 @@ def test_reactions_for_the_foundation_engineer() -> None:
     assert "7 motions: means of the extremes" in " ".join(damped.notes)
 
 
+def test_reactions_with_the_seismic_action_across() -> None:
+    """-400 kN of uplift with 600 kN across is -1000 kN; of before, the column alone is known, and a note says so."""
+    of_before = FrameDesign.model_validate({"elastic_use": ELASTIC})
+    _, damped = support_tables(sets(7), None, of_before)
+    assert "with across [kN]" not in damped.headers and "Columns above A0 belong to a bracing" in " ".join(damped.notes)
+    across = {"frames": ("YA",), "N": "500 kN", "V": "600 kN"}
+    known = FrameDesign.model_validate({"elastic_use": {"C_A_1": {**ELASTIC["C_A_1"], "across": across}}})
+    _, damped = support_tables(sets(7), None, known)
+    V, both = damped.column("V"), damped.column("with across")
+    assert both[:2] == pytest.approx([V[0] + 600e3, V[1] - 600e3]) and V[1] == pytest.approx(-400e3)
+    assert [row[-2].strip() for row in damped.texts[2:]] == ["-", "-"], (
+        "extremes of shear and moment are another step's"
+    )
+    assert "gamma_Rd Omega" in " ".join(damped.notes) and "belong to" not in " ".join(damped.notes)
+
+
 def test_archives_of_before_have_no_such_tables() -> None:
     found = sets(3)
     for one in found:
@@ -131,6 +148,9 @@ def test_archives_without_concurrent_forces_have_their_uses() -> None:
     assert len(list(use_tables(found, None))) == 3
 
 
+ELASTIC = {
+    "C_A_1": {"use": 0.8, "check": "N_M", "combination": "G + E_y", "across": {"frames": ("YA",), "N": "500 kN"}}
+}
 FRAME = """\
 edesign: 1
 title: Three members

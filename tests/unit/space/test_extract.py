@@ -283,6 +283,10 @@ def test_use_of_the_elastic_design_goes_with_the_frame() -> None:
         N = design.effects.seismic[1, number[name], :, 0].max()
         assert across.N == pytest.approx(factor * N, rel=1e-3)
         assert across.N > 1e3
+        of = design.foundations
+        at = of.nodes.index(name.removeprefix("C_").removesuffix("_1") + ".0") if name.endswith("_1") else None
+        V = None if at is None else 0.3 * of.factor[1, at] * of.seismic[1, at, 2]  # 4.4.2.6(4): gamma_Rd Omega E_F,E
+        assert across.V == (None if V is None else pytest.approx(V, rel=1e-3))
 
 
 @pytest.mark.parametrize("kind", get_args(BraceKind))
