@@ -142,7 +142,7 @@ class HistoryAnalysis(_Analysis):
 
     Attributes:
         kind: a time history.
-        record: one of `records`; of a suite all its recordings, or `SUITE/RECORDING`.
+        record: one of `records`; of a suite all its recordings, some by `only` there, or one as `SUITE/RECORDING`.
         pga: peak that the record is scaled to; not of a fitted record.
         scale: factor of the record; not with `pga`, not of a fitted record.
         free_vibration: time after the end of the record.

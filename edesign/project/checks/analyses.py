@@ -16,7 +16,7 @@ from edesign.project.notation import names
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
 from edesign.project.records.pairs import InSpace
-from edesign.project.records.records import PairRecord
+from edesign.project.records.records import PairRecord, record_of
 
 
 def check_analyses(project: Project, problems: Problems, files: bool = True) -> None:
@@ -125,11 +125,11 @@ def _analyses(project: AnalysisFile, problems: Problems) -> None:
 
 
 def _history(project: AnalysisFile, problems: Problems, keys: Keys, analysis: HistoryAnalysis) -> None:
-    if analysis.record not in project.records:
-        problems.at_value((*keys, "record"), unknown_name("record", analysis.record, project.records))
+    if record_of(analysis.record) not in project.records:
+        problems.at_value((*keys, "record"), unknown_name("record", record_of(analysis.record), project.records))
     else:
         _level(project, problems, keys, analysis)
-    if analysis.pga is not None and isinstance(project.records.get(analysis.record), PairRecord | InSpace):
+    if analysis.pga is not None and isinstance(project.records.get(record_of(analysis.record)), PairRecord | InSpace):
         message = "each component would have a factor of its own; give the `scale` of both [E-KEY-03]"
         problems.at_key((*keys, "pga"), f"`{analysis.record}` is a pair: {message}")
     if analysis.pga is not None and analysis.scale is not None:
@@ -151,7 +151,7 @@ def _level(project: AnalysisFile, problems: Problems, keys: Keys, analysis: Hist
     levels = project.hazard.levels
     if levels and analysis.level and analysis.level not in levels:
         problems.at_value((*keys, "level"), unknown_name("level", analysis.level, levels))
-    if not project.records[analysis.record].fitted:
+    if not project.records[record_of(analysis.record)].fitted:
         return
     fitted = f"`{analysis.record}` is fitted to the spectrum of the hazard"
     if not levels:
@@ -159,7 +159,7 @@ def _level(project: AnalysisFile, problems: Problems, keys: Keys, analysis: Hist
     elif not analysis.level:
         message = f"this key is missing; {fitted} and scaled to a level of it: {listed(levels)} [E-KEY-02]"
         problems.under(keys, "level", message)
-    check_fitted_levels((*keys, "level"), (analysis.record,), (analysis.level,), project, problems)
+    check_fitted_levels((*keys, "level"), (record_of(analysis.record),), (analysis.level,), project, problems)
     for key in ("pga", "scale"):
         if getattr(analysis, key) is not None:
             problems.at_key((*keys, key), f"{fitted}; its `level` says the scale [E-KEY-03]")

@@ -22,7 +22,7 @@ from edesign.project.analysis.analyses import (
 from edesign.project.analysis.pushover import pattern_name
 from edesign.project.analysis.shaking import Eccentric, Position
 from edesign.project.analysis_file import AnalysisFile
-from edesign.project.reading.problems import did_you_mean
+from edesign.project.reading.problems import did_you_mean, unknown_name
 from edesign.project.records.pairs import SuitePairs
 from edesign.project.records.records import RecordSet
 from edesign.study.results.kinds import ANALYSES
@@ -185,6 +185,27 @@ def _labelled(project: AnalysisFile, spec: AnyAnalysis) -> AnyAnalysis:
     return spec.model_copy(update={"variant": f"{'with' if spec.dampers else 'without'} {what}"})
 
 
+def recordings_of(project: AnalysisFile, name: str, place: str) -> tuple[str, ...]:
+    """Return the references of recordings that a name stands for: a record, all of a suite, or one as SUITE/ID.
+
+    Args:
+        place: where the name stands, for messages.
+
+    Raises:
+        InputError: a suite has no such recording.
+    """
+    record, _, recording = name.partition("/")
+    known = references(project, record)
+    if not recording:
+        return known
+    if name in known:
+        return (name,)
+    if known == (record,):
+        raise InputError(f"{place}: `{record}` is a single record, not a suite; write `{record}` [E-VALUE-01]")
+    message = unknown_name("recording", recording, [key.partition("/")[2] for key in known])
+    raise InputError(f"{place}: {message}")
+
+
 def _parts(project: AnalysisFile, spec: AnyAnalysis) -> Sequence[PlannedAnalysis]:
     """The analysis itself, for a suite one named ANALYSIS.ID for each of its recordings, or the parts of a pushover.
 
@@ -194,6 +215,10 @@ def _parts(project: AnalysisFile, spec: AnyAnalysis) -> Sequence[PlannedAnalysis
         return pushover_parts(spec, tuple(project.hazard_levels))
     if not isinstance(spec, HistoryAnalysis):
         return [spec]
+    if "/" in spec.record:
+        at = next(i for i, of in enumerate(project.analyses) if of.name == spec.name)
+        recordings_of(project, spec.record, f"{project.where('analyses', at, 'record')}: analyses[{at}].record")
+        return shakings(spec)
     if not isinstance(project.records.get(spec.record), RecordSet | SuitePairs):
         return shakings(spec)
     parts = (

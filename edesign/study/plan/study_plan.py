@@ -8,7 +8,6 @@ from dataclasses import replace
 from typing import Any
 
 from edesign.errors import InputError
-from edesign.ground_motion.project_records import references
 from edesign.project.analysis.analyses import (
     BuildingHistory,
     BuildingPushover,
@@ -19,13 +18,13 @@ from edesign.project.analysis.analyses import (
 )
 from edesign.project.analysis.pushover import Pushover, Pushovers
 from edesign.project.analysis.shaking import Eccentric, Shaking
-from edesign.project.reading.problems import keys_text, unknown_name
+from edesign.project.reading.problems import keys_text
 from edesign.project.records.pairs import InSpace
 from edesign.project.records.records import record_of
 from edesign.project.study.incremental import Incremental, LevelFactorStudy
 from edesign.project.study.study import Histories, Study
 from edesign.study.analysis.intensity import intensity_text
-from edesign.study.plan.plan import Stripe, Task, pushover_parts, selected, shakings
+from edesign.study.plan.plan import Stripe, Task, pushover_parts, recordings_of, selected, shakings
 from edesign.study.plan.variants import variant_strain
 
 MODES, GRAVITY = "modes", "gravity"
@@ -154,15 +153,8 @@ def recordings(study: Study, names: Sequence[str], keys: tuple[str | int, ...]) 
     """
     found: list[str] = []
     for i, name in enumerate(names):
-        record, _, recording = name.partition("/")
-        known = references(study.base, record)
-        if recording and name not in known:
-            if known == (record,):
-                message = f"`{record}` is a single record, not a suite; write `{record}` [E-VALUE-01]"
-            else:
-                message = unknown_name("recording", recording, [key.partition("/")[2] for key in known])
-            raise InputError(f"{study.where(*keys, i)}: {keys_text(keys)}: {message}")
-        found += [reference for reference in ([name] if recording else known) if reference not in found]
+        known = recordings_of(study.base, name, f"{study.where(*keys, i)}: {keys_text(keys)}")
+        found += [reference for reference in known if reference not in found]
     return tuple(found)
 
 

@@ -9,7 +9,9 @@ import pytest
 from edesign.errors import AnalysisError, InputError
 from edesign.frame.project_file import load_project
 from edesign.ground_motion.project_records import find_recordings, references
+from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.study.check.summary import check_project
+from edesign.study.plan.plan import make_plan
 
 PROJECT = """\
 edesign: 1
@@ -131,6 +133,23 @@ def test_only_takes_names_of_recordings(tmp_path: Path, only: str, said: str) ->
 def test_one_name_of_a_suite_is_a_list_of_one(tmp_path: Path) -> None:
     project = load_project(written(tmp_path, RECORD, SUITE + "Tabas1978_FER-L1"))
     assert list(references(project, "el_centro")) == ["el_centro/Tabas1978_FER-L1"]
+
+
+def test_a_history_takes_one_recording_of_a_suite(tmp_path: Path) -> None:
+    """As those of studies do: SUITE/RECORDING; the name of the analysis is its own."""
+    path = written(tmp_path, RECORD, "suite: thesis_table_5_6")
+    text = path.read_text(encoding="utf-8")
+    assert text.count("record: el_centro") == 1
+    path.write_text(text.replace("record: el_centro", "record: el_centro/Tabas1978_FER-L1"), encoding="utf-8")
+    (task,) = (task for task in make_plan(load_project(path)) if task.spec.kind == "history")
+    assert isinstance(task.spec, HistoryAnalysis)
+    assert (task.name, task.spec.record) == (task.entry, "el_centro/Tabas1978_FER-L1")
+    path.write_text(text.replace("record: el_centro", "record: el_centro/Tabas1978"), encoding="utf-8")
+    with pytest.raises(InputError, match=r"analyses\[\d\].record: .*`Tabas1978`; did you mean `Tabas1978_.*E-NAME-01"):
+        make_plan(load_project(path))
+    path.write_text(text.replace("record: el_centro", "record: el_centr/Tabas1978"), encoding="utf-8")
+    with pytest.raises(InputError, match="there is no record `el_centr`.*did you mean.*E-NAME-01"):
+        load_project(path)
 
 
 def test_a_frame_that_cannot_stand_is_reported_with_its_sizes(tmp_path: Path) -> None:
