@@ -185,3 +185,28 @@ def test_braces_of_a_design_have_the_factor_of_their_histories() -> None:
     force = brace_forces(sized, found, RULES, raised)
     assert force == pytest.approx([0.8 * 1.1 * 244.0 / 236.0 * 230e3], rel=1e-6)
     assert brace_forces(sized, found, RULES) == pytest.approx([0.8 * 1.02 * 230e3])  # what the law is, is not known
+
+
+def test_dampers_of_elastomer_to_order() -> None:
+    """k = 1 kN/mm, c = 0.1 kN s/mm of layers of 60 mm, ordered with 120 mm: 40 mm are 20 mm, 0.4 m/s are 0.2 m/s there.
+
+    By hand F = |k u + i c v|: sqrt(24^2 + 30^2) / sqrt(20^2 + 20^2) at 1.2 u and 1.5 v, times 100 kN.
+    """
+    law = DeviceLaw(LawValues("kelvin_voigt", (1e6, 1e5)), 2, 0.1, 0.060)
+    raised = RaisedDevices(DeviceFactors("", stroke=1.2, velocity=1.5, overstrength=1.1), law, "Factors.")
+    sized = design("strain_energy", layer_area=0.15, estimated_damper_force=90e3, estimated_damper_strain=0.3)
+    of_layers = {"layer_thickness_m": 0.12, "layers": 2, "frequency_Hz": 1.5, "strain": 0.3}
+    sized.attributes |= {**of_layers, "G_storage_Pa": 1e6, "loss_factor": 0.35}
+    sets = history_sets(
+        {"damped.MCE.0": shaken(["a", "b"], (100e3, 80e3), (90e3,) * 2, damper_deformation=0.040, damper_velocity=0.4)}
+    )
+    order, largest = devices_tables(sized, sets, {"damped": 1.0}, RULES, raised)
+    (row,) = order.texts
+    assert row[:5] == ["1", "2", "2", "0.1500", "120.0"]
+    force = 100.0 * np.hypot(24.0, 30.0) / np.hypot(20.0, 20.0)
+    assert column(order, "force [kN]") == pytest.approx([force], abs=0.05)
+    assert column(order, "stroke [mm]") == [48.0] and column(order, "velocity [m/s]") == pytest.approx([0.6])
+    assert column(order, "strain [%]") == pytest.approx([1.2 * 100.0 * 40.0 / 120.0])
+    assert column(largest, "mean velocity [m/s]") == pytest.approx([2 * np.pi * 1.5 * 0.3 * 0.12, 0.4], abs=1e-4)
+    unread, _ = devices_tables(sized, sets, {"damped": 1.0}, RULES, RaisedDevices(raised.factors, None, "Factors."))
+    assert "force [kN]" not in unread.headers  # without the law none with factors is known

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
@@ -16,7 +17,7 @@ from edesign.report.tables.column import Column, col, count, text
 from edesign.report.tables.items import Place, places
 from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.text import wrapped
-from edesign.report.tables.unit import KN, KN_MM, M_S, MM, MM2, ONE, PERCENT, Unit
+from edesign.report.tables.unit import KN, KN_MM, M2, M_S, MM, MM2, ONE, PERCENT, Unit
 
 
 class _Device(NamedTuple):
@@ -35,8 +36,9 @@ class _Device(NamedTuple):
 
     @property
     def asked(self) -> Mapping[str, float | None]:
-        """What the damper has to have, with the factors of the code."""
-        return {**self.counted, **self.factored}
+        """What the damper has to have, with the factors of the code; its force is none where its law is not known."""
+        unknown = {"force": None} if self.factored and "force" not in self.factored else {}
+        return {**self.counted, **unknown, **self.factored}
 
 
 def _size(name: str) -> Callable[[_Device], float]:
@@ -58,11 +60,12 @@ def _factored(header: str, unit: Unit, name: str) -> Column[_Device]:
 
 def _largest(header: str, unit: Unit, name: str) -> tuple[Column[_Device], Column[_Device]]:
     return (
-        col(f"mean {header}", unit, lambda device: device.largest[name][0]),
-        col(f"max {header}", unit, lambda device: device.largest[name][1]),
+        col(f"mean {header}", unit, lambda device: device.largest.get(name, _NONE)[0]),
+        col(f"max {header}", unit, lambda device: device.largest.get(name, _NONE)[1]),
     )
 
 
+_NONE = (None, None)
 LARGEST = "Largest values of one damper"
 ORDER, LARGEST_TITLE = "Devices to order, design {design}", f"{LARGEST}, design {{design}}"
 _ORDER_FILE, _LARGEST_FILE = "devices_to_order", "largest_values_of_a_damper"
@@ -76,6 +79,12 @@ _OF_VISCOUS: tuple[Column[_Device], ...] = (
     *_NAMED,
     col("c", "coefficient", _size("coefficient")),
     col("alpha", ONE, lambda device: float(device.storey.group.attributes["alpha"]), form="g", as_shown=True),
+)
+_OF_LAYERS: tuple[Column[_Device], ...] = (
+    *_NAMED,
+    count("layers", lambda device: int(str(device.storey.group.attributes["layers"]))),
+    col("area of one", M2, lambda device: device.storey.known("layer_area")),
+    col("thickness", MM, lambda device: _thickness(device.storey.group)),
 )
 _OF_HYSTERETIC: tuple[Column[_Device], ...] = (
     *_NAMED,
@@ -91,6 +100,27 @@ _OF_BRACES: tuple[Column[_Device], ...] = (
 _FORCE, _STROKE = ("force", KN, "force"), ("stroke", MM, "stroke")
 _VELOCITY, _PLASTIC = ("velocity", M_S, "velocity"), ("plastic", MM, "cumulated_plastic")
 _STRAIN, _CUMULATED = ("strain", PERCENT, "core_strain"), ("cum.", Unit("-"), "cumulative_ductility")
+_SHEAR = ("strain", PERCENT, "strain")
+ELASTOMER_DEVICES = TableSpec[_Device](
+    "elastomer_devices_to_order",
+    ORDER,
+    (*_OF_LAYERS, *(_ordered(*of) for of in (_FORCE, _STROKE, _SHEAR, _VELOCITY)), _FORCE_BY),
+    named_as=_ORDER_FILE,
+)
+ELASTOMER_LARGEST = TableSpec[_Device](
+    "largest_values_of_elastomer_devices",
+    LARGEST_TITLE,
+    (
+        _WHOSE,
+        *_NAMED,
+        *_largest(*_FORCE),
+        *_largest(*_STROKE),
+        *_largest(*_SHEAR),
+        *_largest(*_VELOCITY),
+        *(_factored(*of) for of in (_FORCE, _STROKE, _SHEAR, _VELOCITY)),
+    ),
+    named_as=_LARGEST_FILE,
+)
 VISCOUS_DEVICES = TableSpec[_Device](
     "viscous_devices_to_order",
     ORDER,
@@ -153,12 +183,13 @@ RESTRAINED_LARGEST = TableSpec[_Device](
     named_as=_LARGEST_FILE,
 )
 _BY_KIND = {
+    "elastomer": (ELASTOMER_DEVICES, ELASTOMER_LARGEST),
     "viscous": (VISCOUS_DEVICES, VISCOUS_LARGEST),
     "hysteretic": (HYSTERETIC_DEVICES, HYSTERETIC_LARGEST),
     "buckling_restrained": (RESTRAINED_DEVICES, RESTRAINED_LARGEST),
 }
 ESTIMATE = "estimate"
-_VALUES = ("force", "stroke", "velocity", "cumulated_plastic", "core_strain", "cumulative_ductility")
+_VALUES = ("force", "stroke", "strain", "velocity", "cumulated_plastic", "core_strain", "cumulative_ductility")
 
 
 def devices_tables(
@@ -175,7 +206,7 @@ def devices_tables(
     the estimate and the demand in histories of each variant and level.
 
     Args:
-        group: of a design of viscous or hysteretic dampers.
+        group: of a design, not of a placement.
         factors: property factors of the variants that have the design, by their names.
         rules: of the code in force, for statistics over motions.
         raised: factors of the code on stroke and velocity.
@@ -235,8 +266,7 @@ def _devices(
     group: Group, found: Sequence[DeviceDemand], factors: Mapping[str, float], rules: SetRules, raised: RaisedDevices
 ) -> Iterator[_Device]:
     for storey in places({"": group}, "storey"):
-        if "estimated_device_force" in group.variables:
-            estimated = {name: storey.value(f"estimated_device_{name}") for name in _VALUES}
+        if (estimated := _estimated(group, storey))["force"] is not None:
             both = {name: (value, None) for name, value in estimated.items()}
             yield _Device(ESTIMATE, storey, 1.0, both, estimated, raised.of(group, storey.number, estimated))
         for demand in found:
@@ -251,6 +281,22 @@ def _devices(
                 counted,
                 raised.of(group, storey.number, counted),
             )
+
+
+def _estimated(group: Group, storey: Place) -> dict[str, float | None]:
+    """The estimate for one damper of a storey; of layers the velocity is that of a sine at the first frequency."""
+    if _kind(group) != "elastomer":
+        return {name: storey.value(f"estimated_device_{name}") for name in _VALUES}
+    force, strain = storey.value("estimated_damper_force"), storey.value("estimated_damper_strain")
+    if force is None or strain is None:
+        return {"force": None}
+    about, stroke = group.attributes, strain * _thickness(group)
+    velocity = 2.0 * math.pi * float(str(about["frequency_Hz"])) * stroke
+    return {"force": force / float(str(about["number"])), "stroke": stroke, "strain": strain, "velocity": velocity}
+
+
+def _thickness(group: Group) -> float:
+    return float(str(group.attributes["layer_thickness_m"]))
 
 
 def _whose(demand: DeviceDemand) -> str:
@@ -277,12 +323,22 @@ def governing_notes(forces: Sequence[tuple[str, int, tuple[float, float]]], rule
 
 
 def _kind(group: Group) -> str:
+    if "layer_thickness_m" in group.attributes:
+        return "elastomer"
     return "buckling_restrained" if "device_core_area" in group.variables else str(group.attributes["method"])
 
 
 def _device_notes(group: Group) -> list[str]:
     """What the values of a kind of damper are."""
     kind = _kind(group)
+    if kind == "elastomer":
+        about = group.attributes
+        return wrapped(
+            f"G' {1e-6 * float(str(about['G_storage_Pa'])):.4g} MPa and loss factor "
+            f"{float(str(about['loss_factor'])):.4g} at {float(str(about['frequency_Hz'])):.3g} Hz and "
+            f"{100.0 * float(str(about['strain'])):.3g} % strain: each area is that of a layer with these. Strain: of "
+            "the layers, stroke over thickness. The stroke is that of the damper, without its brace."
+        )
     if kind == "viscous":
         return ["The stroke is that of the damper, without its brace."]
     if kind == "hysteretic":
@@ -301,8 +357,8 @@ def _device_notes(group: Group) -> list[str]:
 
 def _notes(group: Group, found: Sequence[DeviceDemand]) -> list[str]:
     notes = []
-    if "estimated_device_force" in group.variables:
-        pseudo = ", pseudo velocity" if _kind(group) == "viscous" else ""
+    if {"estimated_device_force", "estimated_damper_strain"} & {*group.variables}:
+        pseudo = ", pseudo velocity" if _kind(group) in ("viscous", "elastomer") else ""
         notes.append(f"Estimate: by the response spectrum of the level of the design{pseudo}.")
     counts = [f"{d.variant}, {d.level}: {d.histories} of {d.planned}".replace(", :", ":") for d in found]
     return [*notes, *([f"Histories: {'; '.join(counts)}."] if counts else [])]

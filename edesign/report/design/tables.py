@@ -167,14 +167,13 @@ def design_tables(
     if method == "placement":
         tables = [*placement_tables(group, sets, factors, rules), _lines(_warning_lines(group))]
         return [table for table in tables if table.rows or table.notes]
+    order = devices_tables(group, sets, factors, rules, raised)
     if method == "viscous":
-        order = devices_tables(group, sets, factors, rules, raised)
         sized = [viscous_storeys_table(group), *order, viscous_damping_table(group)]
     elif method == "hysteretic":
-        order = devices_tables(group, sets, factors, rules, raised)
         sized = [hysteretic_storeys_table(group), *order, hysteretic_damping_table(group)]
     else:
-        sized = [storeys_table(group), damping_table(group)]
+        sized = [storeys_table(group), *order, damping_table(group)]
     sized.insert(1, braces_table(group, sets, factors, rules, raised))
     tables = [*sized, plan_modes_table(group), _warnings(group), rounds_table(group), bounds_table(group)]
     return [table for table in tables if table.rows or table.notes]

@@ -10,7 +10,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.study.design.elastomer.model import ElastomerModel, ElastomerSizing
 from edesign.study.design.loop import Round
-from edesign.study.design.results import ONE, PLACE, STOREY, Column, Results, store_rows
+from edesign.study.design.results import DEVICE_COUNT, ONE, PLACE, STOREY, Column, Results, store_rows
 from edesign.study.results.recording import coordinate
 
 ASSEMBLIES = ("dampers", "dampers_and_braces")
@@ -53,6 +53,7 @@ ELASTOMER = Results(
         ("damper_stiffness", STOREY, lambda m, s: s.size, "N/m", _DAMPER_STIFFNESS),
         ("layer_area", STOREY, lambda m, s: s.area, "m^2", "area of one layer of elastomer"),
         ("area_ratio", STOREY, lambda m, s: s.area / m.building.law.layer_area, "1", _AREA_RATIO),
+        DEVICE_COUNT,
     ),
     facts={
         "layers": lambda m, s: m.layers,
