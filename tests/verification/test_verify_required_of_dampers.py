@@ -204,7 +204,7 @@ def test_dampers_of_elastomer_to_order() -> None:
     (row,) = order.texts
     assert row[:5] == ["1", "2", "2", "0.1500", "120.0"]
     force = 100.0 * np.hypot(24.0, 30.0) / np.hypot(20.0, 20.0)
-    assert column(order, "force [kN]") == pytest.approx([force], abs=0.05)
+    assert column(order, "force [kN]") == pytest.approx([force], rel=1e-3)  # the peak lies between points of the cycle
     assert column(order, "stroke [mm]") == [48.0] and column(order, "velocity [m/s]") == pytest.approx([0.6])
     assert column(order, "strain [%]") == pytest.approx([1.2 * 100.0 * 40.0 / 120.0])
     assert column(largest, "mean velocity [m/s]") == pytest.approx([2 * np.pi * 1.5 * 0.3 * 0.12, 0.4], abs=1e-4)

@@ -181,25 +181,29 @@ def steel_tables(frames: VariantFrames) -> list[Table]:
     Raises:
         InputError: a section is unknown, or a panel zone has no I sections.
     """
-    lists: dict[tuple[bool, str], tuple[Pieces, list[str]]] = {}
+    lists: dict[tuple[bool, str, str], tuple[Pieces, list[str]]] = {}
     plates: dict[str, tuple[dict[Plate, list[str]], list[str]]] = {}
     weights: dict[tuple[str, str], float] = {}
     for variant in frames.variants:
         project = frames.project(variant)
         if not isinstance(project, Project):
             return []  # the report of a design has them
-        every = _pieces(project)
+        every, without = _pieces(project)
         weights |= {(section, steel): section_of(project, section).A * DENSITY for _, section, steel in every}
         for dampers in (False, True):  # apart, as variants mostly have one frame and several kinds of dampers
             pieces = {key: lengths for key, lengths in every.items() if (key[0] == OF_DAMPERS) == dampers}
-            lists.setdefault((dampers, repr(pieces)), (pieces, []))[1].append(variant)
+            key = (dampers, _left_out(without, dampers), repr(pieces))
+            lists.setdefault(key, (pieces, []))[1].append(variant)
         found = _plates(project)
         plates.setdefault(repr(found), (found, []))[1].append(variant)
     tables = []
     for dampers in (False, True):
-        alike = [of for (which, _), of in lists.items() if which == dampers]
+        alike = [(note, *of) for (which, note, _), of in lists.items() if which == dampers]
         what = " of the braces of dampers" * dampers
-        tables += [steel_list(pieces, weights, {}, f"{what}{_whose(variants, alike)}") for pieces, variants in alike]
+        tables += [
+            steel_list(pieces, weights, {}, f"{what}{_whose(variants, alike)}", note)
+            for note, pieces, variants in alike
+        ]
     tables += [
         doubler_plates(found, _whose(variants, plates.values()), (TOGETHER,)) for found, variants in plates.values()
     ]
@@ -210,9 +214,25 @@ def _whose(variants: Sequence[str], groups: Collection[object]) -> str:
     return f", {', '.join(variants)}" if len(groups) > 1 else ""
 
 
-def _pieces(project: Project) -> Pieces:
-    """The members of a plane frame, from node to node, and the braces of its dampers."""
+def _left_out(members: Counter[tuple[str, str]], dampers: bool) -> str:
+    """Say which members are not in a list because no weight of steel follows from their section."""
+    found = [
+        f"{number} {kind}{'s' * (number > 1)} of `{section}`"
+        for (kind, section), number in sorted(members.items())
+        if (kind == OF_DAMPERS) == dampers
+    ]
+    if not found:
+        return ""
+    return f"Not in the list, as no weight of steel follows from sections by area or rectangles: {', '.join(found)}."
+
+
+def _pieces(project: Project) -> tuple[Pieces, Counter[tuple[str, str]]]:
+    """The members of a plane frame, from node to node, and the braces of its dampers.
+
+    Beside them how many there are of each kind and section without a weight.
+    """
     frame, found = project.frame, Pieces()
+    without: Counter[tuple[str, str]] = Counter()
     members: list[tuple[str, ColumnRun | BeamRun | BraceRun, float]]
     members = [("column", run, frame.storey_heights[at[1] - 1]) for at, run in frame.column_at.items()]
     members += [("beam", run, frame.bay_widths[at[0] - 1]) for at, run in frame.beam_at.items()]
@@ -221,9 +241,11 @@ def _pieces(project: Project) -> Pieces:
         members.append(("brace", run, float(np.hypot(*(end - start)))))
     parts = [(kind, run.section, run.material, length) for kind, run, length in members]
     for kind, section, steel, length in (*parts, *_of_dampers(project)):
-        if not isinstance(project.sections.get(section), _NO_STEEL):
+        if isinstance(project.sections.get(section), _NO_STEEL):
+            without[kind, section] += 1
+        else:
             found.setdefault((kind, section, steel), Counter())[round(length, 3)] += 1
-    return found
+    return found, without
 
 
 def _of_dampers(project: Project) -> Iterator[tuple[str, str, str, float]]:

@@ -109,6 +109,16 @@ def test_the_list_of_a_plane_frame_has_braces_of_dampers_and_doublers() -> None:
     assert float(plate["mass"]) == pytest.approx(2 * 2.52, rel=2e-3)
 
 
+def test_sections_without_a_weight_are_named_below_the_list() -> None:
+    own = "sections:\n  strip: {area: 20 cm^2, inertia: 400 cm^4}\nanalyses:"
+    text = FRAME.replace("section: IPE300", "section: strip").replace("analyses:", own)
+    project = parse_project(text, Path("frame.yaml"), BuildingSections(), files=False)
+    (members,) = steel_tables(VariantFrames(None, project))  # type: ignore[arg-type]  # of a project
+    assert {row[1] for row in members.texts} == {"HEB200", ""}
+    note = "Not in the list, as no weight of steel follows from sections by area or rectangles: 2 beams of `strip`."
+    assert note in " ".join(members.notes)
+
+
 def test_every_member_stands_in_the_list_with_its_largest_use(results: BuildingResults) -> None:
     table = every_member_table(results)
     assert len(table.rows) == 18 + 12 + 12 + 8
