@@ -93,7 +93,6 @@ def demands_of(
     place that has most.
 
     Args:
-        alike: dampers of a frame.
         histories: of a variant, a bound or a temperature, at one level.
         whole: reads the results of an analysis with what was kept over time.
     """
