@@ -15,7 +15,7 @@ Value = str | float | Sequence[Any]
 # fmt: off
 # ruff: noqa: E501, UP013
 AccelerationRange = TypedDict("AccelerationRange", {"count": Any, "from": Any, "to": Any}, total=False)
-AcrossBracing = TypedDict("AcrossBracing", {"frames": Any, "N": Any}, total=False)
+AcrossBracing = TypedDict("AcrossBracing", {"frames": Any, "N": Any, "V": Any}, total=False)
 ActionFactors = TypedDict("ActionFactors", {"G_sup": Any, "G_inf": Any, "Q": Any, "xi": Any}, total=False)
 AddedMass = TypedDict("AddedMass", {"at": Any, "floors": Any, "mass": Any}, total=False)
 AnyChosenBrace = TypedDict("AnyChosenBrace", {"choose": Any, "material": Any, "buckling_length_factor": Any,
