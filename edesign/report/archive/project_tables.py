@@ -65,7 +65,11 @@ def member_tables(archive: Archive, sets: Sequence[HistorySet], hazard: Hazard |
     """Return the tables of what the forces of histories do to members and supports."""
     frame = archived_frame(archive)
     uses = use_tables(sets, hazard, frame, elastic_uses(archive))
-    return [use_in_short(sets, hazard, frame), *uses, *support_tables(sets, hazard, frame and frame.design)]
+    return [
+        use_in_short(sets, hazard, frame),
+        *uses,
+        *support_tables(sets, hazard, None if frame is None else frame.design),
+    ]
 
 
 def warnings_table(archive: Archive, groups: Mapping[str, Group] | None = None) -> Table:

@@ -116,8 +116,7 @@ def device_size(project: AnalysisFile, device: DamperRun | DamperBetween | AnyBa
 
 def _scaled(law: DamperLaw | None, scale: float) -> str:
     """The coefficient of a dashpot with a factor on its forces; of other laws the factor."""
-    known = law is not None and law.parameters is not None and not law.effects
-    if law is None or law.type not in (*DASHPOTS, "buckling_restrained") or not known:
+    if law is None or law.parameters is None or law.effects or law.type not in (*DASHPOTS, "buckling_restrained"):
         return f"forces × {short(scale)}"
     values = read_parameters(LAWS[law.type], law.parameters)
     if law.type == "buckling_restrained":

@@ -57,7 +57,10 @@ def _members(source: Source, sets: list[HistorySet]) -> list[Part]:
     parts: list[Part] = []
     for said, tables in (
         ("Use of columns, beams and braces, of each storey and beyond 1", uses),
-        ("Reactions of supports for foundations", tuple(support_tables(sets, hazard, frame and frame.design))),
+        (
+            "Reactions of supports for foundations",
+            tuple(support_tables(sets, hazard, None if frame is None else frame.design)),
+        ),
     ):
         parts += [Folded(said, tables)] if tables else []
     return parts
