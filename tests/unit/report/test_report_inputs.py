@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -15,6 +16,7 @@ from edesign.project.criteria.criteria import MeasureCriterion, PerformanceCrite
 from edesign.project.notation.names import damper_place
 from edesign.report.assessment.check_table import check_table
 from edesign.report.inputs.assumptions import assumption_rows
+from edesign.report.inputs.mass_table import mass_tables
 from edesign.report.response.mean_profiles import mean_profile_figures
 
 CASES = Path(__file__).parents[2] / "cases"
@@ -135,3 +137,16 @@ def test_checks_print_source_demand_capacity_and_what_governs() -> None:
     assert table.headers[3] == "verdict", "before all that is wide: a screen cuts the end of a table"
     alone = check_table([verdict("other", True, 0.005)], (bare,))
     assert "source" not in alone.headers and any("where the limit comes from" in note for note in alone.notes)
+
+
+def test_masses_that_differ_by_rounding_are_those_of_one_table() -> None:
+    """A node in the middle of a beam sums its loads in another order; 1 % more is another mass."""
+    project = load_project(THESIS)
+    factors = {"bare": 1.0, "halved beams": 1.0 + 4e-16, "heavier": 1.01}
+
+    def frame(variant: str) -> SimpleNamespace:
+        return SimpleNamespace(masses={node: 1234.5 * factors[variant] for node in project.frame.nodes})
+
+    found: Any = SimpleNamespace(variants=list(factors), project=lambda variant: project, frame=frame)
+    said = [table.title for table in mass_tables(found)]
+    assert said == [f"Masses and weights of the floors, {names}" for names in ("bare, halved beams", "heavier")]

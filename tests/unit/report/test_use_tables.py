@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from edesign.archive.dataset import Group
-from edesign.assess.member_uses import beam_forces, in_words, loaded_members, support_forces
+from edesign.assess.member_uses import BeamForces, beam_forces, in_words, loaded_members, support_forces
 from edesign.assess.quantities import located_quantity
 from edesign.assess.sets import HistorySet, history_sets
 from edesign.codes.ec8.action.accelerograms import SET_RULES
@@ -225,3 +225,13 @@ def test_axial_forces_of_beams_for_their_connections() -> None:
 def test_the_clause_on_means_has_its_code_once() -> None:
     assert in_words(ULTIMATE) == "NTC 2018, 7.3.5"
     assert in_words(SET_RULES) == "EN 1998-1:2004, 4.3.3.4.3(3)"
+
+
+def test_axial_forces_of_beams_stand_storey_by_storey_and_whole(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of 6 bays and 8 floors all 48 beams, by storey and bay, whatever the size of their forces."""
+    beams = [
+        BeamForces(f"B_{bay}_{floor}", floor, (1e3 * floor, 0.0), (0.0, 1e3)) for bay in range(6) for floor in range(8)
+    ]
+    monkeypatch.setattr("edesign.report.response.use_tables.beam_forces", lambda found, rules: beams)
+    table = next(one for one in use_tables(sets(7)[:1], None) if one.name == "beam_axial_forces")
+    assert [row[1] for row in table.texts] == [f"B_{bay}_{floor}" for floor in range(8) for bay in range(6)]
