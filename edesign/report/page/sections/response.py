@@ -53,14 +53,12 @@ def response(source: Source) -> Section:
 def _members(source: Source, sets: list[HistorySet]) -> list[Part]:
     """Return how far members are used, the worst of each storey and all beyond 1, and the reactions of supports."""
     hazard, frame = archived_hazard(source.archive), archived_frame(source.archive)
+    design = None if frame is None else frame.design
     uses = tuple(use_tables(sets, hazard, frame, elastic_uses(source.archive)))
     parts: list[Part] = []
     for said, tables in (
         ("Use of columns, beams and braces, of each storey and beyond 1", uses),
-        (
-            "Reactions of supports for foundations",
-            tuple(support_tables(sets, hazard, None if frame is None else frame.design)),
-        ),
+        ("Reactions of supports for foundations", tuple(support_tables(sets, hazard, design))),
     ):
         parts += [Folded(said, tables)] if tables else []
     return parts
