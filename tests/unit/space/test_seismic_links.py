@@ -9,10 +9,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 from building_examples import NO_TORSION, PINNED, building, changed, design_of, moment_frames, number_of
+from matplotlib.text import Text
 
+from edesign import load_building, run_building
+from edesign.archive.reader import open_archive
 from edesign.errors import InputError
 from edesign.frame.sections.steel_section import steel_section
 from edesign.project.building import Building
+from edesign.report.building.figures.elevations import elevations
+from edesign.report.building.figures.plans import _wholes
+from edesign.report.building.results import BuildingResults
 from edesign.space.analysis.effects import largest
 from edesign.space.analysis.sway import SwayAnalysis
 from edesign.space.checks.links import link_criteria
@@ -300,3 +306,18 @@ def test_the_office_of_the_docs_meets_all_checks() -> None:
     link = next(link for link in found.links if link.member == "BX_1_2_1_2")
     assert (link.V_p, link.M_p) == pytest.approx((254.9e3, 75.7e3), rel=1e-3)
     assert not any("gamma_ov Omega of links" in note for note in found.notes)
+
+
+def test_links_in_drawings(tmp_path: Path) -> None:
+    """Elevations by use have links as thick lines; in plan a beam of three parts is one of 6 m or 8 m."""
+    (tmp_path / "k.yaml").write_text(SPLIT_K, encoding="utf-8")
+    written, _ = run_building(load_building(tmp_path / "k.yaml"))
+    with open_archive(written) as archive:
+        drawn = [figure for _, _, figure in elevations(archive)]
+        results = BuildingResults(archive)
+        start, end = (results.values("members", name)[:, :2] for name in ("start", "end"))
+        beams = np.flatnonzero(results.values("members", "kind") == "beam")
+        start, end, whole = _wholes(results, start, end, beams, dict.fromkeys(beams.tolist(), "a"))
+    texts = [text.get_text() for figure in drawn for text in figure.findobj(Text)]
+    assert texts.count("seismic link") == len(drawn) == 2
+    assert beams.size == 12 and sorted(np.linalg.norm(end - start, axis=1)[whole].round(9)) == [6.0, 6.0, 8.0, 8.0]

@@ -15,7 +15,7 @@ from edesign.report.building.results import BuildingResults, BuildingValues
 from edesign.report.model.boxes import Spot
 from edesign.report.model.elevation import Grid, draw_axes
 from edesign.report.model.figures import Named
-from edesign.report.model.sheet import SMALLEST, Entry, Sheet, on_sheet
+from edesign.report.model.sheet import INK, SMALLEST, Entry, Sheet, on_sheet
 from edesign.report.model.supports import SIGNS
 
 if TYPE_CHECKING:
@@ -30,6 +30,7 @@ BANDS = (
 """Upper end of each band of utilisation, its colour, and what the legend says."""
 _X, _Z = 0, 2
 _PIN = 0.07  # place of a hinge in drawings, by the length of the member
+LINK = 3.6  # width of the line of a seismic link, points
 _BESIDE = 0.03  # of a label beside its member, inches
 _WIDTH = 6.4  # of the legend, inches
 
@@ -117,10 +118,13 @@ def _draw(sheet: Sheet, results: BuildingResults, frame: str) -> None:
     scale = np.array([grid.across, grid.up])
     starts, ends = (scale * results.values("members", name)[chosen][:, [along, _Z]] for name in ("start", "end"))
     use = largest_use(results)[chosen]
+    links = results.values("links", "member") if results.has("links") else ()
+    linked = np.isin(results.values("members", "member")[chosen], links)
     lower = 0.0
     for upper, colour, _ in BANDS:
         within = (use <= upper) & ((use > lower) | (lower == 0.0))
-        sheet.lines(np.stack([starts, ends], axis=1)[within], colour, 1.6, solid_capstyle="round")
+        for of, width in ((within & ~linked, 1.6), (within & linked, LINK)):
+            sheet.lines(np.stack([starts, ends], axis=1)[of], colour, width, solid_capstyle="round")
         lower = upper
     pins = scale * hinges(results, chosen)[:, [along, _Z]]
     sheet.dots(pins, 2.6, mew=0.6)
@@ -132,11 +136,13 @@ def _draw(sheet: Sheet, results: BuildingResults, frame: str) -> None:
         for n in alike[np.argsort(-use[alike].round(3), kind="stable")]:
             if sheet.place(_beside(starts[n], ends[n]), f"{pair[1]} {use[n]:.2f}", (SMALLEST,)):
                 break
-    sheet.legend([Entry(f"utilisation {text}", partial(_stroke, colour=colour)) for _, colour, text in BANDS], _WIDTH)
+    entries = [Entry(f"utilisation {text}", partial(_stroke, colour=colour)) for _, colour, text in BANDS]
+    entries += [Entry("seismic link", partial(_stroke, colour=INK, width=LINK))] * bool(linked.any())
+    sheet.legend(entries, _WIDTH)
 
 
-def _stroke(sheet: Sheet, x: float, y: float, colour: str) -> None:
-    sheet.line((x, y), (x + 0.3, y), color=colour, width=2.0)
+def _stroke(sheet: Sheet, x: float, y: float, colour: str, width: float = 2.0) -> None:
+    sheet.line((x, y), (x + 0.3, y), color=colour, width=width)
 
 
 def _beside(start: np.ndarray, end: np.ndarray) -> list[Spot]:

@@ -15,6 +15,7 @@ from edesign.project.building.names import ColumnLine, Direction, frame_name, li
 from edesign.project.building.supports import DIRECTIONS as DEGREES
 from edesign.project.building.supports import FIXED, PINNED, Springs
 from edesign.project.frame.foundations import FootingSupport
+from edesign.report.building.figures.elevations import LINK
 from edesign.report.building.figures.model_ends import EndsOfFrame, is_weak
 from edesign.report.drawing.building_drawing import BuildingElevation
 from edesign.report.drawing.captions import file_name, some_names
@@ -31,7 +32,6 @@ from edesign.space.structure.frame import Member, SpaceFrame
 
 _EQUAL = 1.0 - 1e-9  # a square or round column has no weak axis: its I_z is I_y but for rounding
 WIDTH = 6.6  # of the legend, inches
-_LINK = 3.6  # width of the line of a seismic link, points
 
 
 def model_elevations(
@@ -121,7 +121,7 @@ def _draw(sheet: Sheet, building: Building, frame: SpaceFrame, along: Direction,
         sheet.lines([ends[one.name] for one in members if one.kind in kinds.split()], width=width)
     at = frame.coordinates
     links = {one.name: short(math.dist(at[one.start], at[one.end])) for one in members if one.link}
-    sheet.lines([ends[name] for name in links], width=_LINK)
+    sheet.lines([ends[name] for name in links], width=LINK)
     if building.isolation is None:
         entries = _supports(sheet, grid, building, along, number)
     else:
@@ -137,7 +137,7 @@ def _draw(sheet: Sheet, building: Building, frame: SpaceFrame, along: Direction,
         entries.append(Entry(f"braces have pinned ends{what}"))
     if links:
         text = f"seismic link, e = {', '.join(sorted(set(links.values())))} m"
-        entries.append(Entry(text, lambda on, x, y: on.line((x, y), (x + 0.28, y), width=_LINK)))
+        entries.append(Entry(text, lambda on, x, y: on.line((x, y), (x + 0.28, y), width=LINK)))
     shapes = {one.section: frame.section(one.section) for one in members}
     weak = {
         one.name

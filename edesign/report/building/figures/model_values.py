@@ -19,6 +19,7 @@ class ModelValues:
         masses = floor_masses(frame)
         self._groups: dict[str, dict[str, np.ndarray]] = {
             "members": {
+                "member": np.array([member.name for member in members]),
                 "kind": np.array([member.kind for member in members]),
                 "section": np.array([member.section for member in members]),
                 "storey": np.array([member.storey for member in members]),

@@ -24,6 +24,7 @@ _Place = tuple[str, tuple[float, ...]]
 _BEAM = "#7c8796"
 _COLUMN = 0.11  # size of a column in the drawing, by the narrowest bay
 _BRACE = 0.05  # how far a brace is drawn beside its beam, by the narrowest bay
+_SAME = 1e-6  # inches
 _SIZE = 4.8  # of the longer side, inches
 _LARGEST = 0.07  # of a column, inches
 
@@ -148,12 +149,19 @@ def _draw(sheet: Sheet, results: BuildingValues, storeys: Sequence[int], marked:
     letters = dict(zip(sorted(kinds, key=lambda one: KINDS.index(one[0])), MARKS, strict=False))
     words = {n: letters.get(one, one[1][0]) for n, place in enumerate(_places(results)) if (one := marked.get(place))}
     leaning = np.array([n for n in braces if np.any(start[n] != end[n])], dtype=int)
+    start, end, beams = _wholes(results, start, end, beams, words)
+    braced = [n for n in beams if any(_stands_on(start[m], end[m], start[n], end[n]) for m in leaning)]
     along_x = np.abs(end - start)[beams, 0] > np.abs(end - start)[beams, 1]
+
+    def of_beam(n: int) -> Iterable[Spot]:
+        spots = list(_along(start[n], end[n], 0.02, -0.02, words[n] in MARKS))
+        return spots[1::2] + spots[::2] if n in braced else spots  # dashes stand on the first side
+
     for numbers, color, spots in (
-        (leaning, AFTER, lambda n: _along(start[n], end[n], beside + 0.02, -0.02)),
+        (leaning, AFTER, lambda n: _along(start[n], end[n], beside + 0.05, -0.02, words[n] in MARKS)),
         (columns, INK, lambda n: _around(start[n], size + 0.02)),
-        (beams[along_x], INK, lambda n: _along(start[n], end[n], 0.02, -0.02)),
-        (beams[~along_x], INK, lambda n: _along(start[n], end[n], 0.02, -0.02)),
+        (beams[along_x], INK, of_beam),
+        (beams[~along_x], INK, of_beam),
     ):
         names = dict.fromkeys(words[int(n)] for n in numbers)
         one_name = len(names) == 1
@@ -168,23 +176,49 @@ def _draw(sheet: Sheet, results: BuildingValues, storeys: Sequence[int], marked:
     sheet.legend([Entry(text) for text in _changing(letters, storeys)], sheet.right)
 
 
+def _wholes(
+    results: BuildingValues, start: np.ndarray, end: np.ndarray, beams: np.ndarray, words: Mapping[int, str]
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Starts and ends with beams whole that braces meet, and one member of each beam: parts of a section are one."""
+    start, end, found = start.copy(), end.copy(), dict[tuple[str, str], list[int]]()
+    for n in beams:
+        bay = "_".join(str(results.values("members", "member")[n]).split("_")[:4])  # BX_2_1_4 of BX_2_1_4_3
+        found.setdefault((bay, words[int(n)]), []).append(int(n))
+    for parts in found.values():
+        both = np.concatenate([start[parts], end[parts]])
+        start[parts], end[parts] = both.min(axis=0), both.max(axis=0)
+    return start, end, np.array([parts[0] for parts in found.values()], dtype=int)
+
+
+def _stands_on(start: np.ndarray, end: np.ndarray, first: np.ndarray, last: np.ndarray) -> bool:
+    """Whether a line between two points in plan lies on another one."""
+    low, high = np.minimum(first, last) - _SAME, np.maximum(first, last) + _SAME
+    return bool(np.all([(low <= point) & (point <= high) for point in (start, end)]))
+
+
 def _changing(letters: Mapping[tuple[str, tuple[str, ...]], str], storeys: Sequence[int]) -> Iterator[str]:
     """What each letter stands for: a: columns HEB300 in storeys 1-2, HEB240 in storey 3."""
     for (kind, sections), letter in letters.items():
         by_section = {
             name: [n for n, other in zip(storeys, sections, strict=True) if other == name] for name in sections
         }
-        parts = (f"{name} in storey{'s' * (len(of) > 1)} {_runs(of)}" for name, of in by_section.items())
+        place = "on floor" if kind == "beam" else "in storey"
+        parts = (f"{name} {place}{'s' * (len(of) > 1)} {_runs(of)}" for name, of in by_section.items())
         yield f"{letter}: {kind}s {', '.join(parts)}"
 
 
-def _along(start: np.ndarray, end: np.ndarray, above: float, below: float) -> Iterable[Spot]:
-    """Places of a text on the two sides of a line: above and below, or turned at the left and the right, inches."""
+def _along(start: np.ndarray, end: np.ndarray, above: float, below: float, letter: bool) -> Iterable[Spot]:
+    """Places of a text on the two sides of a line: above and below, or at the left and the right, inches.
+
+    There it is turned, if it is not one letter.
+    """
     level = abs(end[0] - start[0]) > abs(end[1] - start[1])
     found = []
     for x, y in (start + share * (end - start) for share in (0.5, 0.35, 0.65)):
         if level:
             found += [Spot(x, y + above, "center", "bottom"), Spot(x, y + below, "center", "top")]
+        elif letter:
+            found += [Spot(x - above, y, "right"), Spot(x - below, y, "left")]
         else:
             found += [Spot(x - above, y, "center", "bottom", 90.0), Spot(x - below, y, "center", "top", 90.0)]
     return found
