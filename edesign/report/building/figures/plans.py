@@ -166,7 +166,7 @@ def _draw(sheet: Sheet, results: BuildingValues, storeys: Sequence[int], marked:
         names = dict.fromkeys(words[int(n)] for n in numbers)
         one_name = len(names) == 1
         for name in names:
-            alike = [n for n in numbers if words[int(n)] == name][::-1]
+            alike = [n for n in map(int, numbers) if words[n] == name][::-1]
             if one_name:
                 ways = zip(*(spots(n) for n in alike), strict=True)  # the first choice of all of them comes first
                 sheet.place([spot for way in ways for spot in way], name, (SMALLEST,), color)
