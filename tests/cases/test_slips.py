@@ -26,12 +26,6 @@ def templates(tmp_path_factory: pytest.TempPathFactory) -> Path:
 WARNED = {
     "storey in mm": ("damped/project.yaml", "[4 m, 3.5", "[4 mm, 3.5", ["storey 1: 0.004 m is implausible", "0.5 to"]),
     "bay in mm": ("damped/project.yaml", "width: 6 m} ", "width: 0.06 m} ", ["bay 3: 0.06 m is implausible"]),
-    "strength in GPa": (
-        "damped/project.yaml",
-        "fy: 275 MPa",
-        "fy: 275 GPa",
-        ["material S275", "yield strain of 131 %"],
-    ),
     "area in mm2": (
         "damped/project.yaml",
         "[0.43 m^2,",

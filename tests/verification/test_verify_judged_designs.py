@@ -75,7 +75,7 @@ def shaken(forces: tuple[float, float], level: str, status: str = "completed") -
 
 def study() -> Study:
     variants = {"bare": SimpleNamespace(designs=()), "damped": SimpleNamespace(designs=("oil",))}
-    return cast(Study, SimpleNamespace(base=frame(), variants=variants, derived={}))
+    return cast(Study, SimpleNamespace(base=frame(), variants=variants, derived={}, designs={}))
 
 
 def test_braces_are_judged_by_the_largest_of_few_motions_at_their_level_and_below() -> None:

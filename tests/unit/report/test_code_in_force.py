@@ -21,6 +21,7 @@ METHODS = {
     "report/assessment/verdict_tables.py": "EN 1998-3 limit states",  # where a criterion asks for them
     "study/analysis/target.py": "EN 1998-1, 4.3.3.4.2.",  # printed of `method: n2` alone
     "study/check/advice.py": "N2: EN 1998-1",
+    "study/design/elastomer/plausibility.py": "NTC 2018, 3.2.1",  # of its hazard alone
     "study/design/estimate.py": "the lateral force method",  # of `method: simplified`
     "study/design/elastomer/simplified.py": "EN 1998-1, 4.3.3.2.1(2)",  # of `method: simplified`
 }
