@@ -14,10 +14,7 @@ from edesign.errors import InputError
 from edesign.ground_motion.hazard import national_of, vertical_spectrum
 from edesign.project.actions.hazard import NtcHazard
 from edesign.project.building.building import Building
-from edesign.space.analysis.actions import (
-    psi_of,
-    with_joined_cases,
-)
+from edesign.space.analysis.actions import psi_of, with_joined_cases
 from edesign.space.analysis.bracing import bracing
 from edesign.space.analysis.buckled_diagonals import single_diagonals, with_buckled_diagonals
 from edesign.space.analysis.combinations import building_combinations
@@ -26,10 +23,7 @@ from edesign.space.analysis.design_spectra import design_spectra, hazard_of
 from edesign.space.analysis.effects import Effects, effects, largest
 from edesign.space.analysis.lateral import lateral_cases, static_effects
 from edesign.space.analysis.live_load_reduction import LiveLoadReduction
-from edesign.space.analysis.response import (
-    ResponseSpectrumAnalysis,
-    gravity_above,
-)
+from edesign.space.analysis.response import ResponseSpectrumAnalysis, gravity_above
 from edesign.space.analysis.storeys import storeys
 from edesign.space.analysis.sway import SwayAnalysis
 from edesign.space.analysis.vertical_component import vertical_component
@@ -42,9 +36,7 @@ from edesign.space.checks.links import beside_links, links, overstrength_of_link
 from edesign.space.checks.member_checks import LARGEST_CLASS, MemberChecker
 from edesign.space.checks.regularity import regularity, shape
 from edesign.space.checks.restrained_braces import hardening_of
-from edesign.space.checks.rules import (
-    largest_q,
-)
+from edesign.space.checks.rules import largest_q
 from edesign.space.checks.web_panels import web_panels
 from edesign.space.design_notes import design_notes
 from edesign.space.designed import ElasticDesign

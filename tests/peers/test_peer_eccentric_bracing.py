@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from building_examples import building, changed, moment_frames
+from elastic_in_opensees import solve_in_opensees
 
 from edesign.space.structure.geometry import space_frame
-from edesign.space.structure.model import masters, member_properties, space_model
+from edesign.space.structure.model import member_properties, space_model
 
 ops = pytest.importorskip("openseespy.opensees")
 
@@ -41,40 +42,8 @@ def test_forces_and_displacements(case: str) -> None:
         for number in range(len(frame.diaphragms)):
             nodal[np.flatnonzero(frame.node_diaphragm == number)[0], "xy".index(case[-1])] = 100e3 * (number + 1)
     found = model.static(nodal[None])
-    ops.wipe()
-    ops.model("basic", "-ndm", 3, "-ndf", 6)
-    for i, (place, fixed) in enumerate(zip(frame.coordinates, frame.fixed, strict=True)):
-        ops.node(i, *map(float, place))
-        if fixed.any():
-            ops.fix(i, *map(int, fixed))
-    for k, centre in enumerate(masters(frame)):
-        own = [int(i) for i in np.flatnonzero(frame.node_diaphragm == k)]
-        ops.node(1000 + k, *map(float, centre), float(frame.coordinates[own[0], 2]))
-        ops.fix(1000 + k, 0, 0, 1, 1, 1, 0)
-        ops.rigidDiaphragm(3, 1000 + k, *own)
     properties = member_properties(frame, made.materials, gravity=case == "gravity")
-    for m, (member, row) in enumerate(zip(frame.members, properties, strict=True)):
-        E, G, A, A_y, A_z, I_t, I_y, I_z = map(float, row)
-        if member.axial_only:
-            ops.uniaxialMaterial("Elastic", m + 1, E)
-            ops.element("Truss", m, member.start, member.end, A, m + 1)
-        else:
-            ops.geomTransf("Linear", m, *member.web)
-            ops.element("ElasticTimoshenkoBeam", m, member.start, member.end, E, G, A, I_t, I_y, I_z, A_y, A_z, m)
-    ops.timeSeries("Linear", 1)
-    ops.pattern("Plain", 1, 1)
-    for i, load in enumerate(nodal):
-        if load.any():
-            ops.load(i, *map(float, load))
-    ops.constraints("Transformation")
-    ops.numberer("RCM")
-    ops.system("UmfPack")
-    ops.test("NormUnbalance", 1e-6, 10)
-    ops.algorithm("Linear")
-    ops.integrator("LoadControl", 1.0)
-    ops.analysis("Static")
-    assert ops.analyze(1) == 0
-    u = np.array([ops.nodeDisp(i) for i in range(len(frame.node_names))])
+    u = solve_in_opensees(ops, frame, properties, nodal)
     np.testing.assert_allclose(found.displacements[0], u, atol=1e-7 * np.abs(u).max())
     links = [m for m, member in enumerate(frame.members) if member.link]
     braces = [m for m, member in enumerate(frame.members) if member.axial_only]

@@ -5,12 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from building_examples import building
+from elastic_in_opensees import solve_in_opensees
 
 from edesign.space.analysis.bracing import bracing
 from edesign.space.analysis.lateral import static_effects
 from edesign.space.checks.foundations import supports
 from edesign.space.structure.geometry import space_frame
-from edesign.space.structure.model import masters, member_properties, space_model
+from edesign.space.structure.model import member_properties, space_model
 
 ops = pytest.importorskip("openseespy.opensees")
 
@@ -49,35 +50,7 @@ def test_wind_on_a_stepped_tower(case: str) -> None:
     braces = bracing(frame)
     static = static_effects(gravity_model, model, frame, braces, supports(frame, braces))
     number = static.names.index(case)
-    ops.wipe()
-    ops.model("basic", "-ndm", 3, "-ndf", 6)
-    for i, (place, fixed) in enumerate(zip(frame.coordinates, frame.fixed, strict=True)):
-        ops.node(i, *map(float, place))
-        if fixed.any():
-            ops.fix(i, *map(int, fixed))
-    for k, centre in enumerate(masters(frame)):
-        own = [int(i) for i in np.flatnonzero(frame.node_diaphragm == k)]
-        ops.node(1000 + k, *map(float, centre), float(frame.coordinates[own[0], 2]))
-        ops.fix(1000 + k, 0, 0, 1, 1, 1, 0)
-        ops.rigidDiaphragm(3, 1000 + k, *own)
-    for m, (member, row) in enumerate(zip(frame.members, member_properties(frame, made.materials), strict=True)):
-        E, G, A, A_y, A_z, I_t, I_y, I_z = map(float, row)
-        ops.geomTransf("Linear", m, *member.web)
-        ops.element("ElasticTimoshenkoBeam", m, member.start, member.end, E, G, A, I_t, I_y, I_z, A_y, A_z, m)
-    ops.timeSeries("Linear", 1)
-    ops.pattern("Plain", 1, 1)
-    for i, load in enumerate(frame.cases[case].nodal):
-        if load.any():
-            ops.load(i, *map(float, load))
-    ops.constraints("Transformation")
-    ops.numberer("RCM")
-    ops.system("UmfPack")
-    ops.test("NormUnbalance", 1e-6, 10)
-    ops.algorithm("Linear")
-    ops.integrator("LoadControl", 1.0)
-    ops.analysis("Static")
-    assert ops.analyze(1) == 0
-    u = np.array([ops.nodeDisp(i) for i in range(len(frame.node_names))])
+    u = solve_in_opensees(ops, frame, member_properties(frame, made.materials), frame.cases[case].nodal)
     np.testing.assert_allclose(static.displacements[number], u, atol=1e-7 * np.abs(u).max())
     ends = np.array([ops.eleResponse(m, "localForces") for m in range(len(frame.members))])
     internal = static.internal[number]
